@@ -1,5 +1,6 @@
 // A plugin that misbehaves on command: M901 writes through a null pointer, M902 never returns, M903 throws, M904
-// aborts, and the scanner crashes at a question mark.
+// aborts, M905 prints a line, M906 prints for ever, and the scanner crashes at a question mark.
+#include <cstdio>
 #include <cstdlib>
 #include <isogloss/sdk.hpp>
 #include <stdexcept>
@@ -13,7 +14,7 @@ namespace {
 struct Misbehave {
   static constexpr auto spec = ig::syntax("MisbehaveSyntax", "Misbehaves when told to.").scans("?");
 
-  ig::Codes codes_{"M901", "M902", "M903", "M904"};
+  ig::Codes codes_{"M901", "M902", "M903", "M904", "M905", "M906"};
 
   [[gnu::no_sanitize("undefined")]] static void crash() {  // a real crash, in a sanitizer build too
     volatile int* volatile nowhere = nullptr;
@@ -36,6 +37,10 @@ struct Misbehave {
         }
         break;
       case 2: throw std::runtime_error("thrown on purpose");
+      case 4: std::puts("{\"Summary\": null, \"First\": null, \"Called\": []}"); break;
+      case 5:
+        while (forever) std::puts("noise");
+        break;
       default: std::abort();
     }
     return ig::Status::changed;

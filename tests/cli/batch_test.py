@@ -8,7 +8,7 @@ import csv
 import json
 import os
 import pathlib
-import shutil
+import resource
 import signal
 import subprocess
 import sys
@@ -203,19 +203,65 @@ class Batch(unittest.TestCase):
         self.write("crash.nc", "G0 X1.\nM901\nM30\n")
         self.write("good.nc", GOOD)
         self.write("loop.nc", "N1 G1 X1. F100.\nX0\nGOTO 1\nM30\n")
+        self.write("noise.nc", "M906\nM30\n")
+        self.write("printing.nc", GOOD.replace("M30", "M905\nM30"))
         bad = ("--plugins", OPTIONS.bad_plugins, "--max-time", 2 * (OPTIONS.seconds // 5 + 1), "--max-jumps", 999999999, "--max-loop-blocks",
                99999999999)
         self.batch(*bad, dialect=("-d", "bad.xml"), status=3)
         results = self.results()
         self.assertEqual({name: r["Status"] for name, r in results.items()},
-                         {"crash.nc": "fault", "good.nc": "ok", "loop.nc": "out of time"})
+                         {"crash.nc": "fault", "good.nc": "ok", "loop.nc": "out of time", "noise.nc": "out of time",
+                          "printing.nc": "ok"})
+        self.assertEqual(results["printing.nc"]["Feeds"], 2)
         self.assertIn("MisbehaveSyntax", results["crash.nc"]["First"]["Message"])
         self.assertIn("it was not done after", results["loop.nc"]["First"]["Message"])
         self.write("loop.nc", GOOD)
+        self.write("noise.nc", GOOD)
         self.batch(*bad, dialect=("-d", "bad.xml"), status=3)
-        self.assertEqual(len(self.journal()), 4)
+        self.assertEqual(len(self.journal()), 7)
         self.batch(*bad, "--retry", dialect=("-d", "bad.xml"), status=3)
-        self.assertEqual(self.journal()[4:], ["archive/crash.nc"])
+        self.assertEqual(self.journal()[7:], ["archive/crash.nc"])
+
+    def test_what_was_run_again_replaces_a_failure(self):
+        self.write("a.nc", GOOD)
+        self.batch()
+        [file] = (self.path / "out/journal").iterdir()
+        file.write_text(file.read_text().replace('"Status":"ok"', '"Status":"crashed"'))
+        self.batch(status=3)
+        self.batch("--retry")
+        self.assertEqual(self.results()["a.nc"]["Status"], "ok")
+        self.batch("--merge")
+
+    def test_a_process_that_others_kill_is_started_once_more(self):
+        self.write("a.nc", "N1 G1 X1. F100.\nX0\nGOTO 1\nM30\n")
+        process = subprocess.Popen([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", "out", "--max-jumps", "3000000"],
+                                   cwd=self.path, stderr=subprocess.DEVNULL)
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while not (children := children_of(process.pid)):
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.001)
+        os.kill(int(children[0]), signal.SIGKILL)
+        self.assertEqual(process.wait(10 * OPTIONS.seconds), 1)
+        self.assertEqual(self.results()["a.nc"]["Status"], "errors")  # its jumps have a limit
+        self.assertEqual(len(self.journal()), 1)
+
+    def test_names_of_any_bytes_are_found_again(self):
+        for name in (b"M\xdcLLER.nc", "M\u00dcLLER.nc".encode(), b"100%25.nc", b"line\nbreak.nc"):
+            (pathlib.Path(os.fsdecode(os.fsencode(self.archive) + b"/" + name))).write_text(GOOD)
+        for _ in range(2):
+            self.batch()
+            self.assertEqual(len(self.journal()), 4)
+        self.batch("--merge")
+        self.assertIn("archive/M\ufffdLLER.nc", (self.path / "out/results.csv").read_text())
+
+    def test_few_file_descriptors_mean_few_processes(self):
+        self.archive_of(6)
+        for most, status in ((12, 0), (5, 2)):
+            done = subprocess.run([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", f"out{most}", "-j", "20"],
+                                  cwd=self.path, capture_output=True, text=True, check=False, timeout=20 * OPTIONS.seconds,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (most, most)))
+            self.assertEqual(done.returncode, status, done.stderr)
+        self.assertIn("[IG-0675]", done.stderr)
 
     def test_what_is_no_program_is_left_out(self):
         self.write("part.nc", GOOD)
@@ -255,7 +301,7 @@ class Batch(unittest.TestCase):
         tool.write_text('''#!/bin/sh
 for script; do :; done
 case $script in
-  *parts.sh) for part in 1 2 3; do SLURM_ARRAY_TASK_ID=$part sh "$script" 2>>parts.log; done; echo "7;cluster" ;;
+  *parts.sh) echo "sbatch: warning: no account" >&2; for part in 1 2 3; do SLURM_ARRAY_TASK_ID=$part sh "$script" 2>>parts.log; done; echo "7;cluster" ;;
   *) test "$2" = --dependency=afterany:7 && sh "$script" 2>merge.log && echo 8 ;;
 esac
 ''')
@@ -281,9 +327,10 @@ esac
                                    (("--shard", "1/2", "--merge"), ("archive",), "IG-0513"), ((), (), "IG-0513"),
                                    (("--slurm", "2", "--merge"), ("archive",), "IG-0513"),
                                    (("--slurm", "2", "--list", "-"), (), "IG-0513"),
-                                   ((), ("nowhere",), "IG-0510")):
+                                   ((), ("nowhere",), "IG-0510"), ((), ("archive", "out"), "IG-0510")):
             with self.subTest(more=more):
                 self.assertIn(f"[{code}]", self.batch(*more, places=places, status=2).stderr)
+        self.assertIn("[IG-0513]", self.batch(out="archive", status=2).stderr)
         self.assertIn("[IG-0101]", self.batch(dialect=("-d", "fanuk"), status=2).stderr)
         (self.path / "file").write_text("")
         self.assertIn("[IG-0511]", self.batch(out="file", status=2).stderr)

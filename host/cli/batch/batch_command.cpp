@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <csignal>
+#include <cstring>
 #include <filesystem>
+#include <set>
 #include <thread>
 
 #include "batch/journal.hpp"
@@ -30,6 +33,11 @@ std::optional<Shard> read_shard(const std::string& text) {
   return is_read && out.number >= 1 && out.number <= out.count ? std::optional(out) : std::nullopt;
 }
 
+bool is_killed_by_others(const ChildEnd& end) {
+  return end.how == ChildEnd::How::killed_by_signal &&
+         (end.number == SIGKILL || end.number == SIGTERM || end.number == SIGINT || end.number == SIGHUP);
+}
+
 void say(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
 class Batch {
@@ -46,6 +54,7 @@ class Batch {
   bool do_rest();
   std::vector<std::string> arguments_for(const std::string& program) const;
   void finish(const std::string& program, const ChildEnd& end);
+  void keep(const Finished& finished);
   int write_results(const std::vector<std::string>& programs);
 
   const BatchArguments& arguments_;
@@ -55,7 +64,8 @@ class Batch {
   Journal journal_, before_;
   FileHashes hashes_;
   std::vector<std::string> rest_;
-  bool is_kept_ = true;
+  std::set<std::string> killed_;  // once, by others
+  std::string fault_;             // that lets nothing go on
 };
 
 int Batch::run() {
@@ -91,8 +101,8 @@ int Batch::do_part(const std::vector<std::string>& programs) {
     say(fmt::format("{} of {} programs were finished before and have not changed", done, programs.size()));
   const bool is_done = do_rest();
   session_.progress().hide();
-  if (!is_kept_) {
-    session_.report("IG-0511", {arguments_.output}, {"the journal takes no more lines"});
+  if (!fault_.empty()) {
+    session_.report("IG-0675", {arguments_.output}, {fault_});
     return cannot_start;
   }
   if (!is_done) {
@@ -105,25 +115,34 @@ int Batch::do_part(const std::vector<std::string>& programs) {
 /// True: the program is finished.
 bool Batch::take_over(const std::string& program) {
   const auto is_taken = [&](const Finished* finished) {
-    if (finished == nullptr || !arguments_.retries) return finished != nullptr;
-    const std::string how = Json::parse(finished->result).value("Status", "");
-    return how == "ok" || how == "errors";
+    return finished != nullptr && !(arguments_.retries && finished->is_failure);
   };
   if (is_taken(journal_.find(program, surroundings_, hashes_))) return true;
   const Finished* const old = before_.find(program, surroundings_, hashes_);
-  return is_taken(old) && journal_.append(*old);
+  if (!is_taken(old)) return false;
+  keep(*old);
+  return true;
 }
 
 bool Batch::do_rest() {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   std::size_t begun = 0, done = 0;
   const auto next = [&](std::size_t& work) {
-    if (begun == rest_.size() || !is_kept_) return std::vector<std::string>();
+    if (begun == rest_.size() || !fault_.empty()) return std::vector<std::string>();
     work = begun++;
     hashes_.of(rest_[work]);  // as it is before it is run
     return arguments_for(rest_[work]);
   };
   const auto ended = [&](std::size_t work, const ChildEnd& end) {
+    if (end.how == ChildEnd::How::not_started) {
+      fault_ = "no process can be started: " + std::string(std::strerror(end.number));
+      return;
+    }
+    // Whoever has killed it may be about to kill this process as well, and then it has not crashed.
+    if (is_killed_by_others(end) && killed_.insert(rest_[work]).second) {
+      rest_.push_back(rest_[work]);
+      return;
+    }
     finish(rest_[work], end);
     session_.progress().show(++done, rest_.size(), rest_[work]);
   };
@@ -150,7 +169,13 @@ void Batch::finish(const std::string& program, const ChildEnd& end) {
     for (const std::string& folder : folders) finished.folders[folder] = hashes_.of_names_in(folder);
   }
   finished.result = result.dump(-1, ' ', false, Json::error_handler_t::replace);
-  is_kept_ = is_kept_ && journal_.append(finished);
+  finished.is_failure = result["Status"] != "ok" && result["Status"] != "errors";
+  keep(finished);
+}
+
+void Batch::keep(const Finished& finished) {
+  if (const std::string error = journal_.append(finished); !error.empty())
+    fault_ = "the journal takes no more lines: " + error;
 }
 
 int Batch::write_results(const std::vector<std::string>& programs) {
@@ -173,7 +198,7 @@ int Batch::write_results(const std::vector<std::string>& programs) {
   }
   if (!files.write(arguments_.output, session_)) return cannot_start;
   say(files.in_words() + "; " + (std::filesystem::path(arguments_.output) / "overview.html").string());
-  return status;
+  return std::max(status, session_.status());
 }
 
 void add_to(CommandLine& line, BatchArguments& a) {
@@ -203,8 +228,7 @@ void add_to(CommandLine& line, BatchArguments& a) {
   line.flag("--merge", a.merges, "Run nothing: write the results of all parts");
   line.option("--changed-since", a.changed_since,
               "Folder of an earlier batch: programs whose text, called programs, tables, dialect and plugins have not "
-              "changed since "
-              "then keep their results (repeatable)")
+              "changed since then keep their results (repeatable)")
       .type_name("FOLDER");
   line.flag("--retry", a.retries, "Run again what crashed, ran out of time or memory, or could not run");
   line.option("--max-time", a.maximum_seconds, "Stop a program that takes longer (0: never)")

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <fstream>
 #include <list>
+#include <optional>
 
 namespace isogloss::cli::batch {
 
@@ -73,10 +74,16 @@ bool start(Child& child, const std::vector<std::string>& words) {
   ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   ::posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
+  // In a group of its own, so that Ctrl-C on a terminal is heard here alone, and no child is taken for one that
+  // crashed.
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));  // which spawn keeps
   arguments.push_back(nullptr);
-  child.end.number = ::posix_spawn(&child.process, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
+  child.end.number = ::posix_spawn(&child.process, "/proc/self/exe", &actions, &attributes, arguments.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   ::close(out[1]), ::close(errors[1]);
   child.pipes = {out[0], errors[0]};
@@ -84,13 +91,14 @@ bool start(Child& child, const std::vector<std::string>& words) {
   return child.end.number == 0;
 }
 
-/// Reads what is there; closes the pipe at its end.
+/// Reads what is there, but not for ever from one that writes without an end; closes the pipe at its end.
 void hear(Child& child, std::size_t which) {
   constexpr std::size_t most_errors = 1u << 16, most_out = 1u << 26;
   std::string& text = which == 0 ? child.end.out : child.end.errors;
   const std::size_t most = which == 0 ? most_out : most_errors;
+  constexpr int most_reads = 64;
   char buffer[1u << 14];
-  while (true) {
+  for (int i = 0; i < most_reads; ++i) {
     const ssize_t n = ::read(child.pipes[which], buffer, sizeof buffer);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0 && errno == EAGAIN) return;
@@ -144,22 +152,29 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
   constexpr int tick_ms = 100;  // how exact the limits are
   const EndedBySignals signals;
   std::list<Child> children;
-  bool has_next = true;
+  std::optional<Child> waiting;  // that the system did not start beside the others
+  std::vector<std::string> words;
   auto last_look = Clock::now();
-  while ((has_next && signal_to_end == 0) || !children.empty()) {
-    while (has_next && signal_to_end == 0 && children.size() < most) {
-      Child child;
-      const std::vector<std::string> words = next(child.work);
-      if (words.empty()) {
-        has_next = false;
-      } else if (start(child, words)) {
-        children.push_back(std::move(child));
-      } else {
-        for (int& pipe : child.pipes) close_pipe(pipe);
-        child.end.how = ChildEnd::How::not_started;
-        ended(child.work, std::move(child.end));
+  const auto fill = [&] {
+    while (signal_to_end == 0 && children.size() < most) {
+      if (!waiting) {
+        waiting.emplace();
+        words = next(waiting->work);
       }
+      if (words.empty()) return waiting.reset();
+      waiting->begin = Clock::now();
+      if (start(*waiting, words)) {
+        children.push_back(std::move(*waiting));
+      } else {
+        for (int& pipe : waiting->pipes) close_pipe(pipe);
+        if (!children.empty()) return;
+        waiting->end.how = ChildEnd::How::not_started;
+        ended(waiting->work, std::move(waiting->end));
+      }
+      waiting.reset();
     }
+  };
+  for (fill(); !children.empty(); fill()) {
     if (signal_to_end != 0)
       for (const Child& child : children) ::kill(child.process, SIGKILL);
     hear_all(children, tick_ms);

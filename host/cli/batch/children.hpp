@@ -24,12 +24,13 @@ struct ChildEnd {
 
 class Children {
  public:
-  /// The arguments of the next process, which is this command once more; empty: there is none.
+  /// The arguments of the next process, which is this command once more; empty: there is none for now.
   using Next = std::function<std::vector<std::string>(std::size_t& work)>;
-  /// Of the work with this number; in the order in which processes end.
+  /// Of the work with this number; in the order in which processes end. There may be a next one again after it.
   using Ended = std::function<void(std::size_t work, ChildEnd end)>;
 
-  /// Up to `most` at once, until there is no next one. False: a signal to end came; the processes at work are killed.
+  /// Up to `most` at once, and fewer where the system gives no more, until all have ended and there is no next one.
+  /// False: a signal to end came; the processes at work are killed.
   static bool run(unsigned most, const ChildLimits& limits, const Next& next, const Ended& ended);
 };
 

@@ -1,6 +1,7 @@
 #include "batch/journal.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -21,20 +22,45 @@ namespace {
 
 constexpr const char* folder_of_journal = "journal";
 
+using Hashes = std::map<std::string, std::string>;
+
+Hashes with_texts(const Hashes& by_name) {
+  Hashes out;
+  for (const auto& [name, hash] : by_name) out[text_of_name(name)] = hash;
+  return out;
+}
+Hashes with_names(const Hashes& by_text) {
+  Hashes out;
+  for (const auto& [text, hash] : by_text) out[name_of_text(text)] = hash;
+  return out;
+}
+
 std::optional<Finished> read_line(const std::string& line) {
   try {
     const Json all = Json::parse(line);
-    if (!all.at("Result").at("Status").is_string()) return std::nullopt;
-    return Finished{all.at("Program").get<std::string>(),
+    const std::string status = all.at("Result").at("Status").get<std::string>();
+    return Finished{name_of_text(all.at("Program").get<std::string>()),
                     all.at("Surroundings").get<std::string>(),
                     all.at("Content").get<std::string>(),
-                    all.at("Called").get<std::map<std::string, std::string>>(),
-                    all.at("Folders").get<std::map<std::string, std::string>>(),
-                    all.at("Result").dump()};
+                    with_names(all.at("Called").get<Hashes>()),
+                    with_names(all.at("Folders").get<Hashes>()),
+                    all.at("Result").dump(),
+                    status != "ok" && status != "errors"};
   } catch (const Json::exception&) {
     return std::nullopt;
   }
 }
+
+bool is_utf8(std::string_view bytes) {
+  try {
+    static_cast<void>(Json(bytes).dump());
+    return true;
+  } catch (const Json::type_error&) {
+    return false;
+  }
+}
+
+int digit(char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1; }
 
 }  // namespace
 
@@ -68,44 +94,70 @@ std::string Journal::open(const std::string& folder) {
   std::error_code error;
   const fs::path place = fs::path(folder) / folder_of_journal;
   fs::create_directories(place, error);
-  if (error) return error.message();
   char host[256] = "host";
   ::gethostname(host, sizeof host - 1);
-  std::string name = (place / host).string() + "-XXXXXX.jsonl";
-  descriptor_ = ::mkostemps(name.data(), static_cast<int>(std::strlen(".jsonl")), O_APPEND | O_CLOEXEC);
-  if (descriptor_ < 0) return std::strerror(errno);
-  ::fchmod(descriptor_, 0644);
-  return {};
+  name_ = (place / host).string() + "-XXXXXX.jsonl";
+  return error ? error.message() : std::string();
 }
 
-bool Journal::append(const Finished& finished) {
-  const Json all{{"Program", finished.program}, {"Surroundings", finished.surroundings},
-                 {"Content", finished.content}, {"Called", finished.called},
-                 {"Folders", finished.folders}, {"Result", Json::parse(finished.result)}};
-  const std::string line = all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string Journal::append(const Finished& finished) {
+  if (descriptor_ < 0) {
+    descriptor_ = ::mkostemps(name_.data(), static_cast<int>(std::strlen(".jsonl")), O_APPEND | O_CLOEXEC);
+    if (descriptor_ < 0) return std::strerror(errno);
+    ::fchmod(descriptor_, 0644);
+  }
+  const Json all{{"Program", text_of_name(finished.program)},
+                 {"Surroundings", finished.surroundings},
+                 {"Content", finished.content},
+                 {"Called", with_texts(finished.called)},
+                 {"Folders", with_texts(finished.folders)},
+                 {"Result", Json::parse(finished.result)}};
+  const std::string line = all.dump() + "\n";
   std::string_view rest = line;
   while (!rest.empty()) {
     const ssize_t n = ::write(descriptor_, rest.data(), rest.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
+    if (n <= 0) return std::strerror(errno);
     rest.remove_prefix(static_cast<std::size_t>(n));
   }
   all_.emplace(finished.program, finished);
-  return true;
+  return {};
+}
+
+std::string text_of_name(std::string_view name) {
+  const bool is_text = is_utf8(name);
+  std::string out;
+  for (const char c : name) {
+    const bool is_plain = c != '%' && (is_text || static_cast<unsigned char>(c) < 0x80);
+    out += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return out;
+}
+
+std::string name_of_text(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_byte = text[i] == '%' && i + 2 < text.size() && digit(text[i + 1]) >= 0 && digit(text[i + 2]) >= 0;
+    out += is_byte ? static_cast<char>(digit(text[i + 1]) * 16 + digit(text[i + 2])) : text[i];
+    if (is_byte) i += 2;
+  }
+  return out;
 }
 
 const Finished* Journal::find(const std::string& program, const std::string& surroundings, FileHashes& hashes) const {
   const auto [first, last] = all_.equal_range(program);
+  const Finished* failure = nullptr;
   for (auto at = first; at != last; ++at) {
     const Finished& one = at->second;
     const auto is_same = [&](const auto& file) { return hashes.of(file.first) == file.second; };
     const auto has_same_names = [&](const auto& folder) { return hashes.of_names_in(folder.first) == folder.second; };
-    if (one.surroundings == surroundings && hashes.of(program) == one.content &&
-        std::all_of(one.called.begin(), one.called.end(), is_same) &&
-        std::all_of(one.folders.begin(), one.folders.end(), has_same_names))
-      return &one;
+    const bool is_valid = one.surroundings == surroundings && hashes.of(program) == one.content &&
+                          std::all_of(one.called.begin(), one.called.end(), is_same) &&
+                          std::all_of(one.folders.begin(), one.folders.end(), has_same_names);
+    if (is_valid && !one.is_failure) return &one;
+    if (is_valid && failure == nullptr) failure = &one;
   }
-  return nullptr;
+  return failure;
 }
 
 }  // namespace isogloss::cli::batch

@@ -17,7 +17,12 @@ struct Finished {
   std::map<std::string, std::string> called;   ///< hashes of the programs that it calls
   std::map<std::string, std::string> folders;  ///< hashes of the names where called programs are looked for
   std::string result;                          ///< JSON
+  bool is_failure = false;                     ///< the program was not run to its end, for whatever reason
 };
+
+/// A file name as text of JSON, and back: % is written as %25, and in a name that is not UTF-8 each byte such as %E4.
+std::string text_of_name(std::string_view name);
+std::string name_of_text(std::string_view text);
 
 /// The finished programs of a folder. Each process that works for it appends to a file of its own, a line for each
 /// program in one piece: a line that a kill has cut off is not read. Two processes that did the same work have written
@@ -27,16 +32,17 @@ class Journal {
   /// Reads what all processes have written so far. Lines that cannot be read are counted.
   void read(const std::string& folder);
   std::uint64_t damaged_lines() const { return damaged_; }
-  /// Opens the file of this process; an empty text, or the reason why not.
+  /// Makes the folder; an empty text, or the reason why not.
   std::string open(const std::string& folder);
-  /// False: it cannot be written (error()).
-  bool append(const Finished& finished);
+  /// An empty text, or the reason why it cannot be written.
+  std::string append(const Finished& finished);
   ~Journal();
   Journal() = default;
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// The result of a program whose inputs are as they were, else null.
+  /// The result of a program whose inputs are as they were, else null. Of several one that is no failure: it has been
+  /// run again since.
   const Finished* find(const std::string& program, const std::string& surroundings, FileHashes& hashes) const;
 
  private:
@@ -44,6 +50,7 @@ class Journal {
 
   std::multimap<std::string, Finished> all_;
   std::uint64_t damaged_ = 0;
+  std::string name_;  // of the file of this process, once there is something to write
   int descriptor_ = -1;
 };
 

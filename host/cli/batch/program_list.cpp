@@ -32,42 +32,44 @@ bool is_text_of_program(const fs::path& file) {
   return head.find('\0') == std::string::npos;
 }
 
-void add_folder(const fs::path& folder, const ProgramPlaces& wanted, ProgramList& out, Session& session) {
-  std::error_code error;
-  fs::recursive_directory_iterator at(folder, error), end;
-  if (error) return session.report("IG-0510", {folder.string()}, {error.message()});
-  while (at != end) {
-    const fs::path& path = at->path();
-    const fs::path below = path.lexically_relative(folder);
-    std::error_code ignored;
-    if (path.filename().string().starts_with('.') || fs::equivalent(path, wanted.results, ignored)) {
-      at.disable_recursion_pending();
-    } else if (at->is_regular_file(ignored)) {
-      const bool is_wanted = wanted.include.empty() || matches(wanted.include, below);
-      const bool is_program = is_wanted && !matches(wanted.exclude, below) && !at->is_symlink(ignored) &&
-                              (!wanted.include.empty() || is_text_of_program(path));
-      if (is_program)
-        out.programs.push_back(path.lexically_normal().string());
-      else
-        ++out.left_out;
-    }
-    at.increment(error);
-    if (error) return session.report("IG-0510", {path.string()}, {error.message()});
+bool is_program(const fs::directory_entry& entry, const fs::path& below, const ProgramPlaces& wanted) {
+  std::error_code ignored;
+  if (entry.is_symlink(ignored) || !entry.is_regular_file(ignored) || matches(wanted.exclude, below)) return false;
+  return wanted.include.empty() ? is_text_of_program(entry.path()) : matches(wanted.include, below);
+}
+
+void add_folder(const fs::path& folder, const fs::path& below, const ProgramPlaces& wanted, ProgramList& out,
+                Session& session) {
+  std::error_code error, ignored;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const fs::path name = at->path().filename();
+    if (fs::equivalent(at->path(), wanted.results, ignored)) continue;
+    const bool is_hidden = name.string().starts_with('.');
+    if (!is_hidden && at->is_directory(ignored) && !at->is_symlink(ignored))
+      add_folder(at->path(), below / name, wanted, out, session);
+    else if (!is_hidden && is_program(*at, below / name, wanted))
+      out.programs.push_back(at->path().lexically_normal().string());
+    else
+      ++out.left_out;
   }
+  if (error) session.report("IG-0510", {folder.string()}, {error.message()});
 }
 
 bool add_place(const std::string& place, const ProgramPlaces& wanted, ProgramList& out, Session& session) {
   std::error_code error;
   const fs::file_status status = fs::status(place, error);
-  if (fs::is_directory(status)) {
-    add_folder(fs::path(place).lexically_normal(), wanted, out, session);
-    return true;
-  }
   if (!fs::exists(status)) {
     session.report("IG-0510", {place}, {"no such file or folder"});
     return false;
   }
-  out.programs.push_back(fs::path(place).lexically_normal().string());
+  if (!fs::is_directory(status)) {
+    out.programs.push_back(fs::path(place).lexically_normal().string());
+  } else if (fs::equivalent(place, wanted.results, error)) {
+    session.report("IG-0513", {}, {"the results need a folder of their own, and " + place + " holds the programs"});
+    return false;
+  } else {
+    add_folder(fs::path(place).lexically_normal(), {}, wanted, out, session);
+  }
   return true;
 }
 

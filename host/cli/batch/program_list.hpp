@@ -17,11 +17,12 @@ struct ProgramPlaces {
 
 struct ProgramList {
   std::vector<std::string> programs;  ///< sorted by name, each once
-  std::uint64_t left_out = 0;         ///< files of the folders that are no programs
+  std::uint64_t left_out = 0;         ///< entries of the folders that are no programs
 };
 
-/// Files whose names begin with a dot, XML files and files with NUL bytes at their head are no programs, nor are links
-/// out of the folder. Empty, and reported, when a place does not exist or nothing is left.
+/// Files and folders whose names begin with a dot, XML files, files with NUL bytes at their head, links, pipes and the
+/// like are no programs. A folder that cannot be read is reported, and the others are. Empty, and reported, when a
+/// place does not exist or nothing is left.
 std::optional<ProgramList> list_programs(const ProgramPlaces& wanted, Session& session);
 
 /// Part `number` of `count`, counted from 1: the programs are dealt out by their names, so every part knows its own.

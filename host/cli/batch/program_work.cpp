@@ -1,7 +1,11 @@
 #include "batch/program_work.hpp"
 
-#include <algorithm>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
+
+#include "batch/journal.hpp"
 #include "crash_guard.hpp"
 #include "run/runs.hpp"
 #include "run/summary_text.hpp"
@@ -37,6 +41,9 @@ class FirstSaid {
 
 int do_work(const BatchArguments& arguments) {
   end_with_parent(arguments.parent);
+  // What a plugin prints is no result.
+  const int out = ::dup(STDOUT_FILENO);
+  if (out < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return cannot_start;
   RunArguments request;
   request.common = arguments.common;
   request.common.diagnostics = "json";
@@ -54,7 +61,7 @@ int do_work(const BatchArguments& arguments) {
   int status = cannot_start;
   Json summary;
   if (options) {
-    options->called = [&](std::string_view, const std::string& file) { called.push_back(file); };
+    options->called = [&](std::string_view, const std::string& file) { called.push_back(text_of_name(file)); };
     request.takes_summary = [&](const std::string& program, const std::string& dialect, const Summary& totals) {
       summary = Json::parse(summary_json(program, dialect, totals, session.diagnostics()), nullptr, false);
     };
@@ -64,14 +71,21 @@ int do_work(const BatchArguments& arguments) {
   }
   std::sort(called.begin(), called.end());
   called.erase(std::unique(called.begin(), called.end()), called.end());
-  const Json out{{"Summary", std::move(summary)}, {"First", first.said()}, {"Called", called}};
-  return print(out.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n", status);
+  const Json all{{"Summary", std::move(summary)}, {"First", first.said()}, {"Called", called}};
+  std::fflush(nullptr);
+  if (::dup2(out, STDOUT_FILENO) < 0) return cannot_start;
+  return print(all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n", status);
 }
 
 std::optional<Work> read_work(const std::string& written) {
-  const Json all = Json::parse(written, nullptr, false);
-  if (!all.is_object() || !all.contains("Summary") || !all.contains("First") || !all.contains("Called")) return {};
-  return Work{all["Summary"], all["First"], all["Called"].get<std::vector<std::string>>()};
+  try {
+    const Json all = Json::parse(written.substr(0, written.find('\n')));
+    Work out{all.at("Summary"), all.at("First"), {}};
+    for (const Json& file : all.at("Called")) out.called.push_back(name_of_text(file.get<std::string>()));
+    return out;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace isogloss::cli::batch

@@ -32,7 +32,7 @@ constexpr const char* numbers[] = {"Blocks",      "Events",      "Rapids",      
                                    "Arcs",        "ToolChanges", "RapidLength_mm", "FeedLength_mm",
                                    "RapidTime_s", "FeedTime_s",  "DwellTime_s",    "Time_s"};
 
-std::string status_name(const ChildEnd& end) {
+std::string status_name(const ChildEnd& end, bool has_result) {
   switch (end.how) {
     case ChildEnd::How::killed_by_signal: return "crashed";
     case ChildEnd::How::out_of_time: return "out of time";
@@ -41,7 +41,7 @@ std::string status_name(const ChildEnd& end) {
     case ChildEnd::How::exited: break;
   }
   for (const auto& one : statuses)
-    if (one.exit == end.number) return one.status;
+    if (one.exit == end.number && has_result) return one.status;
   return "fault";
 }
 
@@ -101,7 +101,7 @@ std::string for_script(const Json& json) {
 Json result_of(const std::string& program, const ChildEnd& end, const std::optional<Work>& work,
                const ChildLimits& limits) {
   const bool is_whole = end.how == ChildEnd::How::exited && work.has_value();
-  Json out{{"Isogloss", 1}, {"Program", program}, {"Status", status_name(end)}};
+  Json out{{"Isogloss", 1}, {"Program", program}, {"Status", status_name(end, work.has_value())}};
   if (is_whole && work->summary.is_object())
     for (const auto& [name, value] : work->summary.items())
       if (name != "Isogloss" && name != "Program") out[name] = value;

@@ -13,11 +13,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Every option that a result may depend on.
-std::string text_of(const BatchArguments& a) {
+/// Every option that a result may depend on; tables by their contents.
+std::string text_of(const BatchArguments& a, FileHashes& hashes) {
   const ProgramOptions& p = a.program;
   std::string out = fmt::format("dialect={}\nmachine={}\nblock-skip={}\noptional-stop={}\nprogram={}\non-error={}\n",
                                 p.dialect, p.machine, p.block_skip, p.optional_stop, p.program, p.on_error);
+  for (const std::string& table : {p.offsets, p.tools, p.variables}) out += "table=" + hashes.of(table) + "\n";
   for (const std::string& one : p.set) out += "set=" + one + "\n";
   for (const std::string& one : p.subprograms) out += "subprograms=" + one + "\n";
   out += fmt::format("main-passes={}\nlimits={} {} {} {} {} {} {}\n", p.main_passes, p.maximum_depth, p.maximum_jumps,
@@ -41,7 +42,7 @@ std::optional<std::string> hash_of_surroundings(const BatchArguments& arguments,
   ProgramOptions program = arguments.program;
   const std::optional<RunOptions> options = program.make(session);
   if (!options) return std::nullopt;
-  std::set<std::string> files{"/proc/self/exe", program.machine, program.offsets, program.tools, program.variables};
+  std::set<std::string> files{"/proc/self/exe", program.machine};
   if (program.dialect.empty()) {
     add_files_of(session.dialect_places(), ".xml", files);
     add_files_of(session.plugin_places(), ".so", files);
@@ -52,9 +53,9 @@ std::optional<std::string> hash_of_surroundings(const BatchArguments& arguments,
     for (const LoadedPlugin& plugin : session.library().plugins()) files.insert(plugin.file.string());
     keep_to_the_end(std::move(linked));
   }
-  std::string all = text_of(arguments);
+  std::string all = text_of(arguments, hashes);
   for (const std::string& file : files)
-    if (!file.empty()) all += hashes.of(file) + "\n";
+    if (!file.empty()) all += fs::path(file).filename().string() + "=" + hashes.of(file) + "\n";
   return hash_of(all).text();
 }
 

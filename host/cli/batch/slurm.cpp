@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <sstream>
 
 #include "outputs.hpp"
 
@@ -51,7 +52,8 @@ std::string script(const BatchArguments& arguments, const fs::path& folder, cons
       quoted(fs::current_path().string()), command_of(arguments), more);
 }
 
-/// The number of the job that sbatch has made; what it said instead in `error`.
+/// The number of the job that sbatch has made: a line of digits, with the cluster's name behind a semicolon, beside
+/// warnings. What it said instead in `error`.
 std::string submit(const std::string& words, std::string& error) {
   std::FILE* const pipe = ::popen(("sbatch --parsable " + words + " 2>&1").c_str(), "re");
   if (pipe == nullptr) return error = "no process", std::string();
@@ -59,9 +61,13 @@ std::string submit(const std::string& words, std::string& error) {
   char buffer[4096];
   while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) said.append(buffer, n);
   const int status = ::pclose(pipe);
-  said = said.substr(0, said.find('\n'));
-  if (status == 0 && !said.empty()) return said.substr(0, said.find(';'));  // behind it the cluster's name
-  error = said.empty() ? fmt::format("sbatch ended with status {}", WEXITSTATUS(status)) : said;
+  std::istringstream lines(said);
+  for (std::string line; status == 0 && std::getline(lines, line);) {
+    const std::string number = line.substr(0, line.find(';'));
+    if (!number.empty() && number.find_first_not_of("0123456789") == std::string::npos) return number;
+  }
+  error = said.substr(0, said.find('\n'));
+  if (error.empty()) error = fmt::format("sbatch ended with status {}", WEXITSTATUS(status));
   return {};
 }
 
@@ -74,6 +80,10 @@ int run_on_slurm(const BatchArguments& arguments, Session& session) {
   }
   std::error_code code;
   const fs::path folder = fs::absolute(arguments.output) / "slurm";
+  if (folder.string().find_first_of("\"\n") != std::string::npos) {
+    session.report("IG-0513", {}, {"Slurm takes no quotation mark and no line break in the name of a folder"});
+    return cannot_start;
+  }
   fs::create_directories(folder, code);
   if (code) {
     session.report("IG-0511", {folder.string()}, {code.message()});
@@ -97,6 +107,7 @@ int run_on_slurm(const BatchArguments& arguments, Session& session) {
   const std::string job = submit(quoted(parts), error);
   const std::string last = job.empty() ? "" : submit("--dependency=afterany:" + job + " " + quoted(merge), error);
   if (last.empty()) {
+    if (!job.empty()) error = "the parts are job " + job + ", but nothing merges them: " + error;
     session.report("IG-0674", {}, {error, parts, merge});
     return cannot_start;
   }

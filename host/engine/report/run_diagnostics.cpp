@@ -233,7 +233,7 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "out, "
        "and what --include and --exclude leave out. A program that is named itself is always run.",
        "isogloss batch tables -o results"},
-      {note, "IG-0671", "{0} files of the folders are no programs and were left out",
+      {note, "IG-0671", "{0} files and folders below the given ones are no programs and were left out",
        "Files with an XML name, with NUL bytes, with a name that begins with a dot, and links, and what --include and "
        "--exclude leave out. A program that is named itself is always run.",
        "isogloss batch archive --exclude '*.txt' -o results"},
@@ -247,6 +247,10 @@ std::vector<DiagnosticInfo> run_diagnostics() {
       {error, "IG-0674", "the jobs are not submitted ({0}); their scripts are {1} and {2}",
        "sbatch belongs to Slurm. Where it stands on another machine, submit both scripts there.",
        "isogloss batch archive -o results --slurm 8"},
+      {error, "IG-0675", "the batch cannot go on: {0}",
+       "What is finished is kept in the folder of the results: when the cause is gone, the same command goes on from "
+       "there.",
+       "isogloss batch archive -o results, with no file descriptor left"},
   };
 }
 
