@@ -26,6 +26,7 @@ class BlockTarget : public Target {
     for (const Diagnostic& d : said.all)
       if (d.code == "IG-0402") fail("no block makes a syntax break the contract: " + d.message);
     if (!built) return;
+    accept();
     DiagnosticList again;
     if (!apply(application(syntax, *built), {}, workspace().library(), again) && !again.has_errors())
       fail("a block that cannot be built is reported");

@@ -20,6 +20,7 @@ class DialectTarget : public Target {
       if (!said.has_errors()) fail("a dialect that does not link is reported");
       return;
     }
+    accept();
     RunOptions options;
     options.maximum_blocks = 100;
     const std::unique_ptr<Source> source = memory_source(program_of_dialect);

@@ -16,6 +16,7 @@ class PageTarget : public Target {
     Page page = read_page(bytes, "page.md", said);
     if (workspace().library().syntax(page.syntax) == nullptr && workspace().library().importer(page.syntax) == nullptr)
       page.syntax = "DwellSyntax";
+    if (!page.cases.empty() && !said.has_errors()) accept();
     for (std::size_t i = 0; i < page.cases.size() && i < most_cases; ++i)
       static_cast<void>(run_case(page, page.cases[i], "page.md", {}, workspace().library()));
   }

@@ -129,6 +129,10 @@ int run_target(const std::string& name, const Wanted& wanted) {
   // Of many samples no more than there are runs: the others are what damaged ones begin with.
   const std::size_t step = std::max<std::size_t>(1, inputs.size() / (wanted.runs + 1));
   for (std::size_t i = 0; i < inputs.size(); i += step) feeding.feed(inputs[i]);
+  if (target->accepted() == 0) {
+    std::fprintf(stderr, "%s refuses all its samples: it tests nothing\n", name.c_str());
+    return 1;
+  }
   const std::uint64_t damaged = feeding.feed_damaged(inputs, wanted);
   std::printf("%s: %zu inputs, %llu damaged ones, seed %llu\n", name.c_str(), inputs.size(),
               static_cast<unsigned long long>(damaged), static_cast<unsigned long long>(wanted.seed));

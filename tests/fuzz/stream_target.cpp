@@ -23,6 +23,7 @@ class StreamTarget : public Target {
         },
         said);
     if (is_whole == said.has_errors()) fail("a damaged stream is reported, and no other");
+    if (is_whole && heard > 0) accept();
     for (const Format format : {Format::csv, Format::jsonl, Format::text}) {
       DiagnosticList of_form;
       TextOutput text;

@@ -19,6 +19,14 @@ class Target {
   virtual void run(std::string_view bytes) = 0;
   /// From programs, pages and files of this project; further ones stand in corpus/NAME.
   virtual std::vector<std::string> samples() const = 0;
+  /// Inputs that were not refused at the first look. Where no sample is among them, the target tests nothing.
+  std::uint64_t accepted() const { return accepted_; }
+
+ protected:
+  void accept() { ++accepted_; }
+
+ private:
+  std::uint64_t accepted_ = 0;
 };
 
 /// By name; null: there is none. Dictionaries stand in NAME.dict, or in that of the part before the dot.
