@@ -63,7 +63,7 @@ std::string submit(const std::string& words, std::string& error) {
   const int status = ::pclose(pipe);
   std::istringstream lines(said);
   for (std::string line; status == 0 && std::getline(lines, line);) {
-    const std::string number = line.substr(0, line.find(';'));
+    std::string number = line.substr(0, line.find(';'));
     if (!number.empty() && number.find_first_not_of("0123456789") == std::string::npos) return number;
   }
   error = said.substr(0, said.find('\n'));
