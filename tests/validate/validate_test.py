@@ -244,10 +244,11 @@ class Validate(unittest.TestCase):
                 _, checks = self.checks(plugin)
                 failed = [c for c in checks if c["Level"] != "note" and c["Result"] != "held"]
                 self.assertEqual([c for c in failed if c["Name"] not in TIMES], [])
-                # A busy machine makes a check of times fail, but not each time.
+                # A slow or busy machine makes a check of times fail: it may take three times the budget of the default.
                 for check in failed:
-                    self.assertIn(0, (self.run_it(plugin, "--only", check["Name"], "--strict").returncode for _ in range(5)),
-                                  check)
+                    tries = [self.run_it(plugin, "--only", check["Name"], "--budget", 30_000, "--strict").returncode
+                             for _ in range(5)]
+                    self.assertIn(0, tries, check)
 
     def test_a_random_block_is_shrunk_and_comes_again(self):
         """X above 2 and Y below -2 fail together, so the smallest block has both words and nothing else."""

@@ -2,6 +2,7 @@
 /// machine follows while rotary axes turn about the tip, against the limits that the machine declares. On a machine
 /// without limits the syntax is idle.
 #include <bit>
+#include <boost/math/tools/minima.hpp>
 
 #include <isogloss/cnc/arc.hpp>
 #include <isogloss/cnc/plane.hpp>
@@ -196,33 +197,20 @@ struct TravelCheck {
   /// limit.
   template <class Point>
   double extreme(const Point& point, std::size_t axis, const Extreme& seen, double sign, double step) const {
-    constexpr double near = 1, golden = 0.6180339887498949;
+    constexpr double near = 1;
+    constexpr int bits = 24;  // of the place, whose error acts on the value with its square
     const double limit = sign > 0 ? travel_[axis].maximum : travel_[axis].minimum;
     if ((limited_ >> axis & 1u) == 0 || sign * (limit - seen.value) > near) return seen.value;
-    double best = seen.value, low = std::fmax(0, seen.part - step), high = std::fmin(1, seen.part + step);
+    double best = seen.value;
     const auto value = [&](double part) {
       const auto at = point(part);
       const double out = at ? (*at)[axis] : seen.value;
       if (sign * out > sign * best) best = out;
-      return sign * out;
+      return -sign * out;
     };
-    double left = high - golden * (high - low), right = low + golden * (high - low);
-    double at_left = value(left), at_right = value(right);
-    for (int i = 0; i < 30; ++i) {
-      if (at_left > at_right) {
-        high = right;
-        right = left;
-        at_right = at_left;
-        left = high - golden * (high - low);
-        at_left = value(left);
-      } else {
-        low = left;
-        left = right;
-        at_left = at_right;
-        right = low + golden * (high - low);
-        at_right = value(right);
-      }
-    }
+    std::uintmax_t tries = 40;
+    boost::math::tools::brent_find_minima(value, std::fmax(0, seen.part - step), std::fmin(1, seen.part + step), bits,
+                                          tries);
     return best;
   }
 
