@@ -134,9 +134,8 @@ void set_record(ig_block* block, std::uint32_t index, const ig_field* fields, st
 }
 
 template <Mode M>
-void map_records(ig_block* block, const ig_field program[3], const ig_field machine[3]) {
+[[gnu::noinline]] void map_some_records(ig_block* block, const ig_field program[3], const ig_field machine[3]) {
   Document& d = doc(block);
-  if (count_records<M>(block, program[0]) == 0) return;
   const ig_field all[6] = {program[0], program[1], program[2], machine[0], machine[1], machine[2]};
   ListData* const list = list_of_all(d, all, 6);
   if (!may_use<M>(d, list, all, 6, nullptr)) return;
@@ -156,6 +155,12 @@ void map_records(ig_block* block, const ig_field program[3], const ig_field mach
     for (int i = 0; i < 3; ++i) v[index_in_record(machine[i])].number = to[i];
     list->present[r] |= given;
   }
+}
+
+/// Most blocks have no records, and each block with a point asks.
+template <Mode M>
+void map_records(ig_block* block, const ig_field program[3], const ig_field machine[3]) {
+  if (count_records<M>(block, program[0]) != 0) map_some_records<M>(block, program, machine);
 }
 
 #define ISOGLOSS_RECORDS_OF(mode)                                                                                 \

@@ -237,10 +237,13 @@ bool is_word(const Document& d, const ig_word& word) {
 template <Mode M>
 void set_words(ig_block* block, const ig_word* words, std::uint32_t count) {
   Document& d = doc(block);
+  if constexpr (M == Mode::fast) {
+    d.set_words(words, count);
+    return;
+  }
   for (std::uint32_t i = 0; i < count; ++i) {
-    if constexpr (M != Mode::fast)
-      if (!may<M>(d, words[i].field, Use::write) || !is_word<M>(d, words[i])) continue;
-    d.set_word(words[i]);
+    if (!may<M>(d, words[i].field, Use::write) || !is_word<M>(d, words[i])) continue;
+    d.set_words(words + i, 1);
     note_line<M>(d, words[i].field, Change::value);
   }
 }

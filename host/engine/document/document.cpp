@@ -81,10 +81,8 @@ Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::u
     // Copies of `previous` fields are updated before the other values are dropped.
     if (info.life == IG_LIFE_FRAME && info.previous_of == IG_NO_FIELD) frame_fields_.push_back(f);
     if (is_carried(info.life) || info.previous_of != IG_NO_FIELD) bits.modal |= bit(f);
-    if (info.type == IG_CODE)
-      bits.codes |= bit(f);
-    else if (info.life == IG_LIFE_WORD)
-      bits.words |= bit(f);
+    if (info.type == IG_CODE) bits.codes |= bit(f);
+    if (info.type == IG_CODE || info.life == IG_LIFE_WORD) bits.words |= bit(f);
     if (info.previous_of != IG_NO_FIELD) keep_previous(info.previous_of, f);
   }
   wake.resize((size_ + layout.lists.size()) * wake_words_);
@@ -112,7 +110,7 @@ void Document::find_open_words(std::vector<std::uint64_t>& wake) {
   std::uint32_t open_end = 0;
   far_begin_ = 0;
   for (std::uint32_t w = 0; w < words_; ++w) {
-    if ((bits_[w].words | bits_[w].codes) == 0) continue;
+    if (bits_[w].words == 0) continue;
     if (open_end == 0) open_begin_ = w;
     open_end = w + 1;
     bool all_far = true;
@@ -120,13 +118,8 @@ void Document::find_open_words(std::vector<std::uint64_t>& wake) {
     if (!all_far) far_begin_ = w + 1;
   }
   far_end_ = open_end;
-  if (wake_words_ > 2 || far_begin_ == open_end) {
-    far_begin_ = open_end;
-    return;
-  }
-  far_bit_ = std::uint64_t{1} << 63;
   for (ig_field f = far_begin_ * 64; f < std::min(size_, far_end_ * 64); ++f)
-    wake[std::size_t{f} * wake_words_ + 1] |= far_bit_;
+    wake[std::size_t{f} * wake_words_ + 1] |= holds_far_words;
 }
 
 void Document::share(std::shared_ptr<const Wakes> wakes) {
@@ -155,8 +148,7 @@ void Document::keep_previous(ig_field field, ig_field copy) {
 }
 
 void Document::wake_far(const std::uint64_t* woken) {
-  active[2] |= woken[2];
-  active[3] |= woken[3];
+  for (std::uint32_t k = 2; k < wake_words_; ++k) active[k] |= woken[k];
 }
 
 void Document::watch(ig_field f, std::uint64_t raised) {
@@ -273,7 +265,9 @@ void Document::begin(const BlockSource& where) {
   if (frame_moved)
     for (Frame& f : frames_) f.is_moving = false;
   frame_changed = frame_moved = false;
-  for (std::uint64_t& mask : active) mask = 0;
+  if ((active[1] & wakes_beyond) != 0) [[unlikely]]
+    std::fill(active + 2, active + wake_words_, 0);
+  active[0] = active[1] = 0;
 }
 
 void Document::get_frame_values(FrameValues& out) const {
@@ -297,7 +291,7 @@ bool Document::has_leftovers() const {
   std::uint64_t open = 0;
   const Bits* const end = bits_.data() + (has_far_words() ? far_end_ : far_begin_);
   for (const Bits* bits = bits_.data() + open_begin_; bits != end; ++bits)
-    open |= bits->present & (bits->words | bits->codes) & ~bits->taken;
+    open |= bits->present & bits->words & ~bits->taken;
   return open != 0;
 }
 
@@ -316,7 +310,7 @@ std::vector<Leftover> Document::collect_leftovers() const {
   std::vector<Leftover> all = leftovers;
   constexpr std::string_view flags = "Parsing.Flags.", parsing = "Parsing.";
   for (std::uint32_t w = 0; w < words_; ++w) {
-    std::uint64_t open = bits_[w].present & (bits_[w].words | bits_[w].codes) & ~bits_[w].taken;
+    std::uint64_t open = bits_[w].present & bits_[w].words & ~bits_[w].taken;
     for (; open != 0; open &= open - 1) {
       const ig_field f = w * 64 + static_cast<ig_field>(__builtin_ctzll(open));
       std::string_view name = layout_->fields[f].path;

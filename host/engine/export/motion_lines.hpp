@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -27,28 +28,39 @@ char* put_number(char* out, double value) {
     return write_decimal(out, value);
 }
 
-/// A number that is mostly the same from event to event (the level of a pocket, the feed): its text is kept.
+/// A number that is often the same from event to event (the level of a pocket, the axes of a hole, the feed): its text
+/// is kept.
 template <bool exact>
 class RepeatedNumber {
  public:
   char* put(char* out, double value) {
-    if (std::bit_cast<std::uint64_t>(value) == bits_ && size_ != 0) {
-      std::memcpy(out, text_, sizeof text_);
-      return out + size_;
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    if (bits != bits_) {
+      bits_ = bits;
+      size_ = 0;
+      return put_number<exact>(out, value);
     }
-    char* const end = put_number<exact>(out, value);
-    const auto size = static_cast<std::size_t>(end - out);
-    bits_ = std::bit_cast<std::uint64_t>(value);
-    size_ = size <= sizeof text_ ? size : 0;
-    std::memcpy(text_, out, size_);
-    return end;
+    if (size_ == 0) return keep(out, put_number<exact>(out, value));
+    std::memcpy(out, text_, sizeof text_);
+    return out + size_;
   }
 
  private:
+  char* keep(const char* begin, char* end) {
+    const auto size = static_cast<std::size_t>(end - begin);
+    if (size > sizeof text_) return end;
+    size_ = size;
+    std::memcpy(text_, begin, sizeof text_);  // behind the number as well: there is room for the longest
+    return end;
+  }
+
   std::uint64_t bits_ = 0;
-  std::size_t size_ = 0;  // 0: no text is kept
+  std::size_t size_ = 0;  // 0: no text is kept, as of a value that has come once
   char text_[24] = {};
 };
+
+template <bool exact>
+using RepeatedPoint = std::array<RepeatedNumber<exact>, 3>;
 
 /// What the formats share: where the events of this block stand.
 class EventLines {
@@ -102,17 +114,17 @@ class JsonLines : public EventLines {
       case Move::Kind::arc: p = put(p, R"(,"Event":"arc")"); break;
     }
     if (m.program.known == 7)
-      p = level(put(p, R"(,"ProgramXyz":)"), m.program.at, program_z_);
+      p = point(put(p, R"(,"ProgramXyz":)"), m.program.at, program_);
     else if (m.program.known != 0)
       p = axes(put(p, R"(,"ProgramXyz":)"), m.program);
     if (m.machine.known == 7)
-      p = level(put(p, R"(,"MachineCoordinate":)"), m.machine.at, machine_z_);
+      p = point(put(p, R"(,"MachineCoordinate":)"), m.machine.at, machine_);
     else if (m.machine.known != 0)
       p = axes(put(p, R"(,"MachineCoordinate":)"), m.machine);
     if (m.kind == Move::Kind::arc) p = arc(p, m.arc);
     if (m.has_feed) p = repeated(put(p, R"(,"Feedrate_mmds":)"), m.feed_mmds, feed_);
     if (m.kind == Move::Kind::arc && m.arc.has_center) {
-      p = level(put(p, R"(,"MachineArcCenter":)"), m.arc.machine_center, machine_center_z_);
+      p = point(put(p, R"(,"MachineArcCenter":)"), m.arc.machine_center, machine_center_);
       p = put(p, R"(,"Normal":)");
       p = m.arc.normal[2] == 1 ? put(p, R"({"X":0,"Y":0,"Z":1})") : xyz(p, m.arc.normal);
       p = number(put(p, R"(,"Sweep_deg":)"), sweep_deg(m));
@@ -152,11 +164,10 @@ class JsonLines : public EventLines {
     char* const end = kept.put(p, value);
     return end != p ? end : put(p, "null");
   }
-  /// X Y Z, of which Z is likely to repeat.
-  static char* level(char* p, const double* at, RepeatedNumber<exact>& z) {
-    p = number(put(p, R"({"X":)"), at[0]);
-    p = number(put(p, R"(,"Y":)"), at[1]);
-    p = repeated(put(p, R"(,"Z":)"), at[2], z);
+  static char* point(char* p, const double* at, RepeatedPoint<exact>& kept) {
+    p = repeated(put(p, R"({"X":)"), at[0], kept[0]);
+    p = repeated(put(p, R"(,"Y":)"), at[1], kept[1]);
+    p = repeated(put(p, R"(,"Z":)"), at[2], kept[2]);
     *p = '}';
     return p + 1;
   }
@@ -179,14 +190,15 @@ class JsonLines : public EventLines {
     return p + 1;
   }
   char* arc(char* p, const Arc& a) {
-    if (a.has_center) p = level(put(p, R"(,"ArcCenter":)"), a.center, center_z_);
+    if (a.has_center) p = point(put(p, R"(,"ArcCenter":)"), a.center, center_);
     p = put(p, R"(,"Plane":)");
     p = a.plane == "XY" ? put(p, R"("XY")") : put(p, json_string(a.plane.substr(0, 64)));
     p = a.is_ccw ? put(p, R"(,"IsCcw":true)") : put(p, R"(,"IsCcw":false)");
     return write_integer(put(p, R"(,"AdditionalCircleNum":)"), a.additional_circles);
   }
 
-  RepeatedNumber<exact> program_z_, machine_z_, feed_, center_z_, machine_center_z_;
+  RepeatedPoint<exact> program_, machine_, center_, machine_center_;
+  RepeatedNumber<exact> feed_;
 };
 
 /// A field of RFC 4180: in quotes where it must be.
@@ -222,8 +234,8 @@ class CsvLines : public EventLines {
       case Move::Kind::feed: p = put(p, ",feed"); break;
       case Move::Kind::arc: p = put(p, ",arc"); break;
     }
-    p = m.program.known == 7 ? level(p, m.program.at, program_z_) : axes<0, 3>(p, m.program);
-    p = (m.machine.known & 7u) == 7 ? level(p, m.machine.at, machine_z_) : axes<0, 3>(p, m.machine);
+    p = m.program.known == 7 ? point(p, m.program.at, program_) : axes<0, 3>(p, m.program);
+    p = (m.machine.known & 7u) == 7 ? point(p, m.machine.at, machine_) : axes<0, 3>(p, m.machine);
     p = m.machine.known < 8 ? put(p, ",,,") : axes<3, 6>(p, m.machine);
     *p++ = ',';
     if (m.has_feed) p = feed_.put(p, m.feed_mmds);
@@ -266,14 +278,12 @@ class CsvLines : public EventLines {
     }
     return p;
   }
-  /// X Y Z, of which Z is likely to repeat.
-  static char* level(char* p, const double* at, RepeatedNumber<exact>& z) {
-    *p = ',';
-    p = put_number<exact>(p + 1, at[0]);
-    *p = ',';
-    p = put_number<exact>(p + 1, at[1]);
-    *p = ',';
-    return z.put(p + 1, at[2]);
+  static char* point(char* p, const double* at, RepeatedPoint<exact>& kept) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      *p = ',';
+      p = kept[i].put(p + 1, at[i]);
+    }
+    return p;
   }
   template <unsigned first, unsigned last>
   static char* axes(char* p, const AxisPoint& point) {
@@ -285,17 +295,18 @@ class CsvLines : public EventLines {
   }
   char* arc(char* p, const Move& m) {
     const Arc& a = m.arc;
-    p = a.has_center ? level(p, a.center, center_z_) : put(p, ",,,");
+    p = a.has_center ? point(p, a.center, center_) : put(p, ",,,");
     p = a.is_ccw ? put(p, ",1,") : put(p, ",0,");
     p = put(write_integer(p, a.additional_circles), ",");
     p = a.plane == "XY" ? put(p, "XY") : put(p, csv_field(a.plane.substr(0, 64)));
     if (!a.has_center) return put(p, ",,,,,,,");
-    p = level(p, a.machine_center, machine_center_z_);
+    p = point(p, a.machine_center, machine_center_);
     p = a.normal[2] == 1 ? put(p, ",0,0,1,") : put(xyz(p, a.normal), ",");
     return put_number<exact>(p, sweep_deg(m));
   }
 
-  RepeatedNumber<exact> program_z_, machine_z_, feed_, center_z_, machine_center_z_;
+  RepeatedPoint<exact> program_, machine_, center_, machine_center_;
+  RepeatedNumber<exact> feed_;
 };
 
 /// Columns for people; a title where the file changes.

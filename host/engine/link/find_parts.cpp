@@ -8,7 +8,6 @@ namespace isogloss {
 
 namespace {
 
-constexpr std::size_t maximum_chain = 256;
 
 void find_syntax(Linking& linking, const ChainElement& element) {
   LinkedSyntax s;
@@ -72,9 +71,9 @@ void find_severities(Linking& linking) {
 void find_parts(Linking& linking) {
   for (const PluginReference& p : linking.out.dialect.plugins)
     if (!linking.library.load(p.name, p.where, linking.sink)) linking.has_failed = true;
-  if (linking.out.dialect.chain.size() > maximum_chain)
+  if (linking.out.dialect.chain.size() > longest_chain)
     linking.report("IG-0216", {linking.out.dialect.file.string(), 0, 0},
-                   {std::to_string(linking.out.dialect.chain.size()), std::to_string(maximum_chain)});
+                   {std::to_string(linking.out.dialect.chain.size()), std::to_string(longest_chain)});
   for (const ChainElement& element : linking.out.dialect.chain) find_syntax(linking, element);
   for (const DependencyElement& element : linking.out.dialect.dependencies) find_dependency(linking, element);
   find_severities(linking);

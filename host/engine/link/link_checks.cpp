@@ -156,7 +156,7 @@ class Acquaintance {
   bool knows(std::size_t first, std::size_t second) const { return behind_[first][second]; }
 
  private:
-  std::vector<std::bitset<256>> behind_;  // a chain has no more (IG-0216)
+  std::vector<std::bitset<longest_chain>> behind_;
 };
 
 /// The names with commas; a long list ends with the number of the others.

@@ -117,7 +117,7 @@ TEST_CASE("stages, sizes and lives that cannot be") {
   text.add("Text");
   CHECK(faults(text, {&plugin}).at(0) == "IG-0222 2");
   Hand large{"p"};
-  for (int i = 0; i < 257; ++i) large.add("S").alias = "S" + std::to_string(i);
+  for (int i = 0; i < 1025; ++i) large.add("S").alias = "S" + std::to_string(i);
   CHECK(faults(large, {&plugin}) == Strings{"IG-0216 0"});
 }
 

@@ -11,7 +11,6 @@ namespace isogloss {
 
 namespace {
 
-constexpr std::size_t longest_chain = 256;  // IG-0216
 using Set = std::bitset<longest_chain>;
 
 bool holds(const char* const* list, std::string_view id) {

@@ -36,6 +36,7 @@ Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink
     if (settings_.hears_rows) listen_to_rows();
     create_syntaxes();
     creating_ = 0;
+    before_inspection_ = reach(0, linked_.inspection_begin);
     watch_modal_state();
   } catch (...) {
     destroy();
@@ -102,7 +103,10 @@ void Chain::begin_block(const BlockSource& source) {
   if (settings_.mode == Mode::traced) document_.file_number = file_number(source.file);
   document_.changes |= passing_;
   if (document_.changes != 0) look_at_state();
-  for (std::size_t k = 0; k < std::size(awake_by_state_); ++k) document_.active[k] = awake_by_state_[k];
+  document_.active[0] = awake_by_state_[0];
+  document_.active[1] = awake_by_state_[1];
+  if ((awake_by_state_[1] & wakes_beyond) != 0) [[unlikely]]
+    std::copy(awake_by_state_ + 2, awake_by_state_ + linked_.wake_words, document_.active + 2);
   ++blocks;
   ends_program = ends_file = alarmed = skip_rest = false;
   split_at = 0;
@@ -125,12 +129,12 @@ void Chain::look_at_state() {
   const std::uint64_t changes = document_.changes;
   if (changes != changing_) {
     changing_ = changes;
-    std::fill(std::begin(awake_by_rest_), std::end(awake_by_rest_), 0);
+    std::fill_n(awake_by_rest_, linked_.wake_words, 0);
     for (std::size_t i = 0; i < watches_.size(); ++i)
-      for (std::size_t k = 0; k < std::size(awake_by_rest_) && (changes & change_of(i)) == 0; ++k)
+      for (std::size_t k = 0; k < linked_.wake_words && (changes & change_of(i)) == 0; ++k)
         awake_by_rest_[k] |= watches_[i].awake[k];
   }
-  std::copy(std::begin(awake_by_rest_), std::end(awake_by_rest_), std::begin(awake_by_state_));
+  std::copy_n(awake_by_rest_, linked_.wake_words, awake_by_state_);
   document_.changes = 0;
   passing_ = always_;
   for (std::uint64_t open = changes; open != 0; open &= open - 1) {
@@ -141,26 +145,29 @@ void Chain::look_at_state() {
 }
 
 void Chain::look_at(Watch& watch, std::uint64_t change) {
-  std::fill(std::begin(watch.awake), std::end(watch.awake), 0);
+  std::fill_n(watch.awake, linked_.wake_words, 0);
   if (!document_.present(watch.field)) return;
   if (!watch.is_modal) passing_ |= change;
   const std::uint64_t value = document_.value(watch.field).symbol;
   for (std::uint32_t i = watch.begin; i < watch.end; ++i) {
     const WakeWhile& w = watched_[i];
     if (w.value != 0 && w.value != value) continue;
-    const std::uint32_t place = w.position - linked_.first_build;
-    watch.awake[place / 64] |= std::uint64_t{1} << (place % 64);
-    awake_by_state_[place / 64] |= std::uint64_t{1} << (place % 64);
+    const std::size_t bit = wake_bit(w.position - linked_.first_build);
+    for (std::uint64_t* const awake : {watch.awake, awake_by_state_}) {
+      awake[bit / 64] |= std::uint64_t{1} << (bit % 64);
+      if (bit >= 128) awake[1] |= wakes_beyond;
+    }
   }
 }
 
 void Chain::wake(Document& d, std::size_t position) const {
-  const std::size_t bit = position - linked_.first_build;
+  const std::size_t bit = wake_bit(position - linked_.first_build);
   d.active[bit / 64] |= std::uint64_t{1} << (bit % 64);
+  if (bit >= 128) d.active[1] |= wakes_beyond;
 }
 
 bool Chain::is_awake(const Document& d, std::size_t position) const {
-  const std::size_t bit = position - linked_.first_build;
+  const std::size_t bit = wake_bit(position - linked_.first_build);
   return (d.active[bit / 64] >> (bit % 64) & 1) != 0;
 }
 
@@ -212,27 +219,34 @@ bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_
   return true;
 }
 
+Chain::Reach Chain::reach(std::uint32_t first, std::uint32_t last) const {
+  Reach out{};
+  const std::uint32_t origin = linked_.first_build;
+  for (std::uint32_t i = std::max(first, origin); i < last; ++i) out.add(wake_bit(i - origin));
+  out.words[1] &= ~wakes_beyond;
+  return out;
+}
+
 /// Calls the syntaxes that are awake. `begin` is where this pass over the block began: a syntax that looks ahead may
 /// have to wait. Plain is the fast mode without call_all, which pays for neither.
 template <bool is_plain>
-[[gnu::always_inline]] inline void Chain::call_steps(Document& d, std::uint32_t begin, std::uint32_t first,
-                                                     std::uint32_t last) {
-  const std::uint32_t origin = linked_.first_build;
+[[gnu::always_inline]] inline void Chain::call_steps(Document& d, std::uint32_t begin, const Reach& reach) {
   const bool is_watched = !is_plain && settings_.mode != Mode::fast;
   const std::uint64_t forced = !is_plain && settings_.call_all ? ~std::uint64_t{0} : 0;
-  first = std::max(first, origin) - origin;
-  last = std::max(last, origin) - origin;
+  std::uint32_t origin = linked_.first_build;
   ig_block* const block = d.block();
-  for (std::uint32_t base = first & ~63u; base < last; base += 64) {
-    std::uint64_t reach = base < first ? ~std::uint64_t{0} << (first - base) : ~std::uint64_t{0};
-    if (last - base < 64) reach &= ~(~std::uint64_t{0} << (last - base));
-    const std::uint64_t& active = d.active[base / 64];
-    const Step* const steps = steps_.data() + origin + base;
-    while (const std::uint64_t awake = (active | forced) & reach) {
+  for (std::size_t k = 0; k < linked_.wake_words; ++k, origin += 64) {
+    if (k == 2) {
+      if ((d.active[1] & wakes_beyond) == 0 && forced == 0) break;
+      origin -= 2;  // the bits of the flags
+    }
+    const std::uint64_t& active = d.active[k];
+    std::uint64_t rest = reach.words[k];
+    while (const std::uint64_t awake = (active | forced) & rest) {
       const auto bit = static_cast<unsigned>(__builtin_ctzll(awake));
-      reach &= ~std::uint64_t{1} << bit;
-      const Step& step = steps[bit];
-      const std::uint32_t position = origin + base + bit;
+      rest &= ~std::uint64_t{1} << bit;
+      const std::uint32_t position = origin + bit;
+      const Step& step = steps_[position];
       if (step.build == nullptr) [[unlikely]] {
         if (!call_looking_ahead(d, position, begin)) return;
         continue;
@@ -250,10 +264,16 @@ template <bool is_plain>
 
 void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t next = first; next < last;) try {
+      const Reach* way = &before_inspection_;
+      Reach there;
+      if (next != 0 || last != linked_.inspection_begin) {
+        there = reach(next, last);
+        way = &there;
+      }
       if (is_plain_)
-        call_steps<true>(d, first, next, last);
+        call_steps<true>(d, first, *way);
       else
-        call_steps<false>(d, first, next, last);
+        call_steps<false>(d, first, *way);
       next = last;
     } catch (...) {
       next = d.current;
@@ -271,9 +291,10 @@ void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
 
 inline void Chain::inspect(Document& d, std::uint32_t first, std::uint32_t last) {
   if (d.has_leftovers())
-    for (std::size_t k = 0; k < std::size(inspectors_); ++k) d.active[k] |= inspectors_[k];
-  std::uint64_t awake = 0;
-  for (std::size_t k = 0; k < std::size(inspection_); ++k) awake |= d.active[k] & inspection_[k];
+    for (std::size_t k = 0; k < linked_.wake_words; ++k) d.active[k] |= inspectors_.words[k];
+  std::uint64_t awake = (d.active[0] & inspection_.words[0]) | (d.active[1] & inspection_.words[1] & ~wakes_beyond);
+  if ((d.active[1] & wakes_beyond) != 0) [[unlikely]]
+    for (std::size_t k = 2; k < linked_.wake_words; ++k) awake |= d.active[k] & inspection_.words[k];
   if (awake != 0 || settings_.call_all) run_range(d, first, last);
 }
 

@@ -31,12 +31,12 @@ void Chain::create_syntaxes() {
     }
     (s.syntax->look_ahead == 0 ? steps_[i].build : steps_[i].build_ahead) = link.is_idle ? nullptr : s.syntax->build;
     if (link.is_idle && i >= linked_.first_build)
-      document_.silence(static_cast<std::uint32_t>(i) - linked_.first_build);
+      document_.silence(static_cast<std::uint32_t>(wake_bit(i - linked_.first_build)));
     steps_[i].scan = s.syntax->scan;
     if (steps_[i].any_build() != nullptr && i >= linked_.inspection_begin) {
-      const std::size_t bit = i - linked_.first_build;
-      inspection_[bit / 64] |= std::uint64_t{1} << (bit % 64);
-      if (s.syntax->inspects != 0) inspectors_[bit / 64] |= std::uint64_t{1} << (bit % 64);
+      const std::size_t bit = wake_bit(i - linked_.first_build);
+      inspection_.add(bit);
+      if (s.syntax->inspects != 0) inspectors_.add(bit);
     }
     if (s.syntax->scan != nullptr && s.syntax->triggers != nullptr)
       for (const char* c = s.syntax->triggers; *c != '\0'; ++c)

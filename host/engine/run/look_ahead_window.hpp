@@ -48,7 +48,7 @@ class LookAheadWindow {
 
   explicit LookAheadWindow(const LinkedDialect& linked) : linked_(linked) {
     for (std::size_t i = linked.first_build; i < linked.chain.size(); ++i)
-      if (const std::size_t bit = i - linked.first_build; linked.chain[i].syntax->look_ahead != 0)
+      if (const std::size_t bit = wake_bit(i - linked.first_build); linked.chain[i].syntax->look_ahead != 0)
         looking_[bit / 64] |= std::uint64_t{1} << (bit % 64);
   }
 
@@ -86,7 +86,7 @@ class LookAheadWindow {
 
  private:
   bool looks_ahead(const Document& d) const {
-    for (std::size_t k = 0; k < std::size(looking_); ++k)
+    for (std::size_t k = 0; k < linked_.wake_words; ++k)
       if ((d.active[k] & looking_[k]) != 0) return true;
     return false;
   }
@@ -94,7 +94,7 @@ class LookAheadWindow {
   const LinkedDialect& linked_;
   std::vector<std::unique_ptr<Entry>> entries_;  // the first `waiting_` are in use, oldest first
   std::size_t waiting_ = 0;
-  std::uint64_t looking_[4] = {};  // as Document::active: the syntaxes that look ahead
+  std::uint64_t looking_[most_wake_words] = {};  // as Document::active: the syntaxes that look ahead
 };
 
 }  // namespace isogloss

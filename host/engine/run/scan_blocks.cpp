@@ -87,7 +87,7 @@ class BlockScanner : public FlowHost {
     words_.clear();
     for (std::uint32_t w = 0; w < d.words(); ++w) {
       const Document::Bits& bits = d.bits(w);
-      for (std::uint64_t left = bits.present & bits.fresh & (bits.words | bits.codes); left != 0; left &= left - 1) {
+      for (std::uint64_t left = bits.present & bits.fresh & bits.words; left != 0; left &= left - 1) {
         const ig_field f = w * 64 + static_cast<ig_field>(std::countr_zero(left));
         if (d.word_end(f) > d.word_begin(f) && d.word_end(f) <= text.size())
           words_.push_back({d.word_begin(f), d.word_end(f), f});

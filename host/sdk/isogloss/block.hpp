@@ -44,7 +44,10 @@ struct Words {
 /// reached through the member that declares it. Lengths are in mm and angles in degrees, as everywhere in the document.
 class Block {
  public:
-  Block(const ig_host* host, ig_block* block) : host_(host), block_(block) {}
+  Block(const ig_host* host, ig_block* block)
+      : host_(host),
+        block_(block),
+        shown_((host->flags & IG_HOST_SHOWS_BLOCKS) != 0 ? reinterpret_cast<const ig_view*>(block) : nullptr) {}
 
   /// False where the field has no value.
   bool get(ig_field f, ig_value& out) const {
@@ -118,7 +121,7 @@ class Block {
     const ig_view* const shown = view();
     if (shown == nullptr) [[unlikely]]
       return host_->is_fresh(block_, f) != 0;
-    return f < shown->field_count && (shown->bits[f / 64].fresh >> (f % 64) & 1) != 0;
+    return shows_fresh(shown, f);
   }
   template <class F>
   bool is_fresh(const F& field) const {
@@ -364,11 +367,12 @@ class Block {
     host_->fault(block_, to_text(fault));
   }
   /// Null where this host does not show where the values are stored; then its functions are called.
-  const ig_view* view() const {
-    return (host_->flags & IG_HOST_SHOWS_BLOCKS) != 0 ? reinterpret_cast<const ig_view*>(block_) : nullptr;
-  }
+  const ig_view* view() const { return shown_; }
   static bool shows(const ig_view* shown, ig_field f) {
     return f < shown->field_count && (shown->bits[f / 64].present >> (f % 64) & 1) != 0;
+  }
+  static bool shows_fresh(const ig_view* shown, ig_field f) {
+    return f < shown->field_count && (shown->bits[f / 64].fresh >> (f % 64) & 1) != 0;
   }
   static bool lies_in_one_word(const Xyz& xyz) { return xyz.point() != IG_NO_FIELD && xyz.point() % 64 <= 61; }
   /// Which of the three fields are present; 0 also where their bits do not lie in one word.
@@ -402,6 +406,7 @@ class Block {
   }
   const ig_host* host_;
   ig_block* block_;
+  const ig_view* shown_;
 };
 
 }  // namespace ig

@@ -1,9 +1,11 @@
 /// Reads a decimal number as programs write it: "10", "-.5", "+12."; no exponent, no other base, no locale.
 #pragma once
 
+#include <bit>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
 namespace ig {
@@ -26,13 +28,61 @@ inline bool read_long_decimal(const char* first, const char* end, double& value)
   return first == end || *first == '.';
 }
 
-}  // namespace detail
+inline constexpr double powers_of_ten[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                           1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
-/// The number that begins at `position` of the text, as the nearest double. A lone sign or a lone point is not a
-/// number.
-[[gnu::always_inline]] inline Decimal read_decimal(std::string_view text, std::size_t position) {
-  static constexpr double powers[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                      1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+/// The eight bytes from `p` on, in the order of their addresses from the lowest on; those behind the text are 0. False
+/// where they cannot be read at once.
+[[gnu::always_inline]] inline bool read_eight(std::string_view text, const char* p, std::uint64_t& out) {
+  const std::ptrdiff_t left = text.data() + text.size() - p;
+  if (left >= 8) [[likely]] {
+    std::memcpy(&out, p, 8);
+    return true;
+  }
+  if (text.size() < 8 || left <= 0) return false;
+  std::memcpy(&out, text.data() + text.size() - 8, 8);
+  out >>= 8 * (8 - left);
+  return true;
+}
+
+/// A number of at most eight digits and a point, without its sign: as nearly all are. False, with `out` as it was, where
+/// it is longer, no number, or near the end of a text of a few bytes.
+[[gnu::always_inline]] inline bool read_short_decimal(std::string_view text, const char* p, bool is_negative,
+                                                      Decimal& out) {
+  if constexpr (std::endian::native != std::endian::little) return false;
+  std::uint64_t bytes;
+  if (!read_eight(text, p, bytes)) return false;
+  const std::uint64_t values = bytes ^ 0x3030303030303030;  // digits become 0 to 9, all others more
+  std::uint64_t others = ((values + 0x7676767676767676) | values) & 0x8080808080808080;
+  if (others == 0) return false;
+  const int whole = std::countr_zero(others) / 8;
+  std::uint64_t digits = values;
+  int length = whole, count = whole;
+  const bool has_point = (bytes >> (8 * whole) & 0xff) == '.';
+  if (has_point) {
+    others &= others - 1;
+    length = others == 0 ? 8 : std::countr_zero(others) / 8;
+    if (others == 0 && p + 8 != text.data() + text.size() && static_cast<unsigned char>(p[8] - '0') < 10) return false;
+    count = length - 1;
+    const std::uint64_t before = (std::uint64_t{1} << (8 * whole)) - 1;
+    digits = (values & before) | (values >> 8 & ~before);
+  }
+  if (count == 0) return false;
+  digits <<= 8 * (8 - count);  // leading zeros
+  digits = (digits * 10 + (digits >> 8)) & 0x00ff00ff00ff00ff;
+  digits = (digits * 100 + (digits >> 16)) & 0x0000ffff0000ffff;
+  digits = (digits * 10'000 + (digits >> 32)) & 0xffffffff;
+  const double value = static_cast<double>(static_cast<std::int64_t>(digits)) / powers_of_ten[count - whole];
+  out.value = is_negative ? -value : value;
+  out.end = static_cast<std::size_t>(p - text.data() + length);
+  out.has_point = has_point;
+  out.ok = true;
+  out.decimals = count - whole;
+  return true;
+}
+
+/// A number of any length.
+[[gnu::noinline]] inline Decimal read_any_decimal(std::string_view text, std::size_t position) {
   const char* const begin = text.data() + position;
   const char* const end = text.data() + text.size();
   const char* p = begin;
@@ -68,13 +118,27 @@ inline bool read_long_decimal(const char* first, const char* end, double& value)
   out.end = static_cast<std::size_t>(p - text.data());
   double value;
   if (length <= 15) {  // both factors exact, one rounding
-    value = static_cast<double>(static_cast<std::int64_t>(digits)) / powers[decimals];
+    value = static_cast<double>(static_cast<std::int64_t>(digits)) / powers_of_ten[decimals];
   } else {
     value = 0;
-    out.ok = detail::read_long_decimal(first, p, value);
+    out.ok = read_long_decimal(first, p, value);
   }
   out.value = negative ? -value : value;
   return out;
+}
+
+}  // namespace detail
+
+/// The number that begins at `position` of the text, as the nearest double. A lone sign or a lone point is not a
+/// number.
+[[gnu::always_inline]] inline Decimal read_decimal(std::string_view text, std::size_t position) {
+  const char* p = text.data() + position;
+  const char sign = position < text.size() ? *p : '\0';
+  const bool has_sign = sign == '-' || sign == '+';
+  Decimal out;
+  if (detail::read_short_decimal(text, p + (has_sign ? 1 : 0), sign == '-', out)) [[likely]]
+    return out;
+  return detail::read_any_decimal(text, position);
 }
 
 }  // namespace ig

@@ -41,20 +41,19 @@ struct LinearMotion {
     const std::size_t code = named ? *named : group_.in_force(b);
     if (code > MotionGroup::g01) return ig::Status::unchanged;
     const bool moves = b.is_fresh(machine_) && !motion_.is_moving(b);
-    if (named)
+    if (!moves) {
+      if (!named) return ig::Status::unchanged;
       group_.take(b, code, found);
-    else if (moves)
-      group_.put_in_force(b, code);
-    else
-      return ig::Status::unchanged;
-    if (!moves) return ig::Status::changed;
-
+      return ig::Status::changed;
+    }
+    if (named) group_.take_codes(b, code, found);
+    const MotionGroup::Entry in_force = group_.entry(code);
     if (code == MotionGroup::g00)
-      motion_.rapid(b);
+      motion_.rapid(b, in_force);
     else if (rotary_.fresh(b) != 0)
-      feed_and_turn(b);
+      feed_and_turn(b, in_force);
     else
-      motion_.feed(b, [&] { return way(b); });
+      motion_.feed(b, [&] { return way(b); }, in_force);
     return ig::Status::changed;
   }
 
@@ -62,15 +61,15 @@ struct LinearMotion {
   double way(ig::Block& b) const { return length(b.get(program_).or_else({}) - last_(b)); }
 
   /// One degree counts like one unit of length of the program; F is in mm by now.
-  void feed_and_turn(ig::Block& b) const {
+  void feed_and_turn(ig::Block& b, const MotionGroup::Entry& in_force) const {
     const double linear = way(b);
     const bool only_turns = linear < same_way_mm;
     if (!only_turns && (feed_counts_ == FeedCounts::linear_axes || b.is_raised(tip_is_led_))) {
-      motion_.feed(b, [&] { return linear; });
+      motion_.feed(b, [&] { return linear; }, in_force);
       return;
     }
     const double turned = turn(b), unit = b.is(unit_, inch_) ? mm_per_inch : 1;
-    motion_.feed(b, [&] { return only_turns ? turned : linear; });
+    motion_.feed(b, [&] { return only_turns ? turned : linear; }, in_force);
     const auto feed = b.get(feedrate_);
     if (!feed || b.is(feed_mode_, g93_)) return;
     if (only_turns) {

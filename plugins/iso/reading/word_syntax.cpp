@@ -90,7 +90,7 @@ struct WordSyntax {
   std::size_t word(ig::Block& b, std::string_view text, std::size_t begin, Run& run) const {
     const unsigned letter = letter_index(text[begin]);
     const WordAddresses::Address address = table[letter];
-    const std::size_t number = skip_blanks(text, begin + 1);
+    const std::size_t number = is_blank(at(text, begin + 1)) ? skip_blanks(text, begin + 2) : begin + 1;
     const ig::Decimal d = ig::read_decimal(text, number);
     if (!d.ok) {
       if (is_named_axis(text, begin)) return begin;

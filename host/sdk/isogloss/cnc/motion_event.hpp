@@ -21,6 +21,11 @@ class MotionGroup {
 
   /// Takes the codes that find() found and puts `code` in force. Reports ISO-0201 where there was more than one.
   void take(Block& b, std::size_t code, std::uint32_t found) const {
+    take_codes(b, code, found);
+    put_in_force(b, code);
+  }
+  /// Like take(), for a motion that puts the code in force by its entry().
+  void take_codes(Block& b, std::size_t code, std::uint32_t found) const {
     if (found == 1) {
       ig_value unused;
       b.take(codes_.id(code), unused);
@@ -28,9 +33,17 @@ class MotionGroup {
       b.take(codes_);
       b.report(diag("ISO-0201"), Where::word(codes_.id(code)), b.text(codes_.name(code)));
     }
-    put_in_force(b, code);
   }
   void put_in_force(Block& b, std::size_t code) const { b.set(state_, codes_.name(code)); }
+
+  /// What put_in_force() sets, for a motion that sets it together with its own values.
+  struct Entry {
+    ig_field field = IG_NO_FIELD;
+    ig_value value{};
+  };
+  Entry entry(std::size_t code) const {
+    return {state_.id(), ig::detail::ValueOf<Symbol>::write(codes_.name(code))};
+  }
 
   /// True when an earlier motion syntax has dealt with the block's code, or with the code in force.
   bool is_answered(const Block& b) const { return b.is_fresh(state_); }
@@ -59,19 +72,19 @@ class BlockMotion {
   /// True when the rotary axes turn under tool centre point control in this block.
   bool turns(const Block& b) const { return b.is_raised(turns_); }
 
-  void rapid(Block& b) const {
-    const ig_field fields[] = {form_.id(), is_rapid_.id()};
-    const ig_value values[] = {symbol(straight_form(b)), {.integer = 1}};
-    b.set_many(fields, 2, values);
+  void rapid(Block& b, const MotionGroup::Entry& code = {}) const {
+    const ig_field fields[] = {code.field, form_.id(), is_rapid_.id()};
+    const ig_value values[] = {code.value, symbol(straight_form(b)), {.integer = 1}};
+    b.set_many(fields, 3, values);
   }
   /// A straight move by the feed in force. `length()` gives the length of the path in mm and is called only where the
   /// feed depends on it (G93). A missing feed is reported.
   template <class Length>
-  void feed(Block& b, const Length& length) const {
+  void feed(Block& b, const Length& length, const MotionGroup::Entry& code = {}) const {
     const double mmds = feed_.mmds(b, length);
-    const ig_field fields[] = {form_.id(), feedrate_.id()};
-    const ig_value values[] = {symbol(straight_form(b)), {.number = mmds}};
-    b.set_many(fields, mmds > 0 ? 2 : 1, values);
+    const ig_field fields[] = {code.field, form_.id(), feedrate_.id()};
+    const ig_value values[] = {code.value, symbol(straight_form(b)), {.number = mmds}};
+    b.set_many(fields, mmds > 0 ? 3 : 2, values);
     if (mmds <= 0) report_no_feed(b);
   }
   /// An arc by the feed in force, otherwise like feed().

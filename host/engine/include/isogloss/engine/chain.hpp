@@ -188,7 +188,7 @@ class Chain {
     ig_field field;
     std::uint32_t begin, end;  // of what it wakes, in watched_
     bool is_modal;
-    std::uint64_t awake[4];  // what its present value wakes
+    std::uint64_t awake[most_wake_words];  // what its present value wakes
   };
 
   void place_in_joined(const Document& d, std::uint32_t begin, std::uint32_t end, Diagnostic& out);
@@ -207,12 +207,21 @@ class Chain {
   void assign(const std::string& path, const std::string& value);
   void refuse_rows(std::size_t dependency);
   void check_answers();
+  /// Syntaxes, as in Document::active.
+  struct Reach {
+    std::uint64_t words[most_wake_words];
+    void add(std::size_t bit) {
+      words[bit / 64] |= std::uint64_t{1} << (bit % 64);
+      if (bit >= 128) words[1] |= wakes_beyond;
+    }
+  };
   void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
   bool call_looking_ahead(Document& document, std::uint32_t position, std::uint32_t first);
   void inspect(Document& document, std::uint32_t first, std::uint32_t last);
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
   template <bool is_plain>
-  void call_steps(Document& document, std::uint32_t begin, std::uint32_t first, std::uint32_t last);
+  void call_steps(Document& document, std::uint32_t begin, const Reach& reach);
+  Reach reach(std::uint32_t first, std::uint32_t last) const;
   void leave_byte(Document& document, std::size_t position);
   void tell_failure(const Document& document, std::uint32_t position);
   void tell_exception(const Document& document, const char* phase);
@@ -242,8 +251,8 @@ class Chain {
   };
   std::vector<WakeWhile> watched_;  // by field
   std::vector<Watch> watches_;
-  std::uint64_t awake_by_state_[4] = {};                  // all of them together
-  std::uint64_t awake_by_rest_[4] = {};                   // all but those that changed last
+  std::uint64_t awake_by_state_[most_wake_words] = {};    // all of them together
+  std::uint64_t awake_by_rest_[most_wake_words] = {};     // all but those that changed last
   std::uint64_t changing_ = 0;                            // of Document::changes: those
   std::uint64_t passing_ = 0;                             // of Document::changes: the values that end with this block
   std::uint64_t always_ = 0;                              // ... and those whose writes bypass tell_watch
@@ -253,8 +262,8 @@ class Chain {
   std::vector<void*> dependencies_;
   std::vector<std::string_view> files_;       // of the blocks so far; traced mode only
   std::vector<std::uint16_t> scanners_[256];  // chain positions that a byte triggers
-  std::uint64_t inspection_[4] = {};          // as Document::active: from inspection_begin on
-  std::uint64_t inspectors_[4] = {};          // of these, what runs when something is left over
+  Reach before_inspection_{}, inspection_{};  // all before inspection_begin; those that build from there on
+  Reach inspectors_{};                        // of these, what runs when something is left over
   const bool is_plain_;
   struct AssignedRow {
     std::size_t dependency;

@@ -87,7 +87,7 @@ class Document {
   ig_view view_{};  // first: a syntax looks for it where its block begins
 
  public:
-  /// Sizes for one layout; `wake` is wake_words masks, 2 or 4, for each field (which syntaxes a write wakes) and,
+  /// Sizes for one layout; `wake` is wake_words masks, 2 to most_wake_words, for each field (which syntaxes a write wakes) and,
   /// behind them, for each list (which syntaxes a new record wakes).
   Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words);
   const Layout& layout() const { return *layout_; }
@@ -141,7 +141,7 @@ class Document {
       const std::uint64_t* const woken = wakes + std::size_t{field} * stride;
       low |= woken[0];
       high |= woken[1];
-      if (stride > 2) [[unlikely]]
+      if ((woken[1] & wakes_beyond) != 0) [[unlikely]]
         wake_far(woken);
     }
     active[0] = low;
@@ -167,7 +167,7 @@ class Document {
     state_[f] = {v, written()};
     bits.present |= bit(f);
     bits.taken &= ~bit(f);
-    active[1] |= wake_[std::size_t{f} * wake_words_ + 1] & far_bit_;
+    active[1] |= wake_[std::size_t{f} * wake_words_ + 1] & holds_far_words;
   }
   /// A code that a syntax raises counts as seen, too: without one no search for codes needs to look.
   void count_code(ig_field f) { codes_seen += static_cast<std::uint32_t>(bits_[f >> 6].codes >> (f & 63) & 1); }
@@ -228,22 +228,36 @@ class Document {
     wake_by(point_wake_ + std::size_t{x} * wake_words_);
   }
   void set_text(ig_field f, std::string_view text);
-  /// A word or a code of the text, with its columns; codes are numbered in their order.
-  [[gnu::always_inline]] void set_word(const ig_word& w) {
-    const ig_field f = w.field;
-    if (f >= size_) return;
-    Bits& bits = bits_[f >> 6];
-    const std::uint64_t mask = bit(f);
-    ig_value v = w.value;
-    if ((bits.codes & mask) != 0) v.integer = ++codes_seen;
-    state_[f] = {v, written() | std::uint64_t{w.end} << 16 | w.begin};
-    bits.present |= mask;
-    bits.fresh |= mask;
-    bits.taken &= ~mask;
-    bits.pointless &= ~mask;
-    if ((w.flags & IG_WORD_WITHOUT_POINT) != 0) bits.pointless |= mask;
-    wake(f);
+  /// Words and codes of the text, with their columns; codes are numbered in their order.
+  [[gnu::always_inline]] void set_words(const ig_word* w, std::uint32_t count) {
+    State* const state = state_.data();
+    Bits* const all = bits_.data();
+    const std::uint64_t* const wakes = wake_;
+    const std::uint32_t stride = wake_words_, size = size_;
+    const std::uint64_t place = written();
+    std::uint64_t low = active[0], high = active[1];
+    for (const ig_word* const end = w + count; w != end; ++w) {
+      const ig_field f = w->field;
+      if (f >= size) continue;
+      Bits& bits = all[f >> 6];
+      const std::uint64_t mask = bit(f);
+      ig_value v = w->value;
+      if ((bits.codes & mask) != 0) v.integer = ++codes_seen;
+      state[f] = {v, place | std::uint64_t{w->end} << 16 | w->begin};
+      bits.present |= mask;
+      bits.fresh |= mask;
+      bits.taken &= ~mask;
+      bits.pointless = (bits.pointless & ~mask) | ((w->flags & IG_WORD_WITHOUT_POINT) != 0 ? mask : 0);
+      const std::uint64_t* const woken = wakes + std::size_t{f} * stride;
+      low |= woken[0];
+      high |= woken[1];
+      if ((woken[1] & wakes_beyond) != 0) [[unlikely]]
+        wake_far(woken);
+    }
+    active[0] = low;
+    active[1] = high;
   }
+  void set_word(const ig_word& w) { set_words(&w, 1); }
   void rewrite(ig_field f, ig_value v);
   /// From now on every change of the field adds these bits to `changes`.
   void watch(ig_field f, std::uint64_t changes);
@@ -281,10 +295,10 @@ class Document {
   std::vector<ListData> lists;
   std::vector<Leftover> leftovers;
   BlockSource source;
-  std::uint64_t active[4] = {};  ///< syntaxes to call in this block, from LinkedDialect::first_build on
-  std::uint16_t current = 0;     ///< chain position + 1 of the syntax that runs; 0: the host
-  std::uint64_t changes = 0;     ///< of watched fields, since the chain looked
-  std::uint32_t codes_seen = 0;  ///< codes that this block got so far, taken ones included
+  std::uint64_t active[most_wake_words] = {};  ///< syntaxes to call in this block, each with its wake_bit()
+  std::uint16_t current = 0;                   ///< chain position + 1 of the syntax that runs; 0: the host
+  std::uint64_t changes = 0;                   ///< of watched fields, since the chain looked
+  std::uint32_t codes_seen = 0;                ///< codes that this block got so far, taken ones included
   Chain* chain = nullptr;
   /// Which block gave a field its value. Files are numbered by Chain::file_name; lines count from 1; 0: before the
   /// first block.
@@ -301,7 +315,7 @@ class Document {
   /// One bit for each of 64 fields, for tests of many at once.
   struct Bits {
     std::uint64_t present = 0, fresh = 0, taken = 0, pointless = 0;  // of this block
-    std::uint64_t modal = 0, words = 0, codes = 0, watched = 0;      // what the fields are
+    std::uint64_t modal = 0, words = 0, codes = 0, watched = 0;      // what the fields are; words: codes, too
   };
   const Bits& bits(std::uint32_t word) const { return bits_[word]; }
 
@@ -321,10 +335,9 @@ class Document {
   void wake_by(const std::uint64_t* woken) {
     active[0] |= woken[0];
     active[1] |= woken[1];
-    if (wake_words_ > 2) [[unlikely]]
+    if ((woken[1] & wakes_beyond) != 0) [[unlikely]]
       wake_far(woken);
   }
-  /// Beyond the first 128 syntaxes that build.
   [[gnu::cold]] void wake_far(const std::uint64_t* woken);
   bool is_watched(ig_field f) const { return (bits_[f >> 6].watched >> (f & 63) & 1) != 0; }
   void tell_watch(ig_field f, ig_value v) {
@@ -341,7 +354,7 @@ class Document {
   }
   void keep_previous(ig_field field, ig_field copy);
   void find_open_words(std::vector<std::uint64_t>& wake);
-  bool has_far_words() const { return (active[1] & far_bit_) != 0; }
+  bool has_far_words() const { return (active[1] & holds_far_words) != 0; }
   void mark_pointless(ig_field f, bool pointless);
   const Layout* layout_;
   std::uint32_t size_ = 0, words_ = 0, wake_words_ = 2;
@@ -358,9 +371,9 @@ class Document {
   static_assert(sizeof(State) == sizeof(ig_view_value) && offsetof(State, value) == offsetof(ig_view_value, value));
   std::vector<Bits> bits_;
   std::vector<State> state_;
-  // The 64-bit words that hold words and codes; from far_begin_ to far_end_ hold nothing but words of codes.
+  // The 64-bit words that hold words and codes; from far_begin_ to far_end_ hold nothing but words of codes, looked at
+  // where a block holds_far_words.
   std::uint32_t open_begin_ = 0, far_begin_ = 0, far_end_ = 0;
-  std::uint64_t far_bit_ = 0;  // of active[1]: this block has such words; 0: active has no bit to spare
   /// Which syntaxes the writing of a field wakes, wake_words_ for each; and that of three fields, by the first. Copies
   /// of the document share it: blocks are copied while they wait for those that follow.
   struct Wakes {

@@ -51,6 +51,21 @@ struct ListInfo {
 };
 
 /// Record fields carry their list in the upper half: list_bit | list << 16 | index.
+/// The most syntaxes of a chain (IG-0216).
+inline constexpr std::size_t longest_chain = 1024;
+
+// Masks of the syntaxes that build, in 64-bit words: a bit for each. The first two words hold nearly every chain, so they
+// end with two flags, and what lies beyond them is looked at only where the first flag is raised.
+inline constexpr std::uint64_t wakes_beyond = std::uint64_t{1} << 62;    ///< of word 1: a bit of a later word is set
+inline constexpr std::uint64_t holds_far_words = std::uint64_t{1} << 63;  ///< of word 1; Document::find_open_words()
+/// The bit of a syntax, by its distance from LinkedDialect::first_build.
+constexpr std::size_t wake_bit(std::size_t place) { return place < 126 ? place : place + 2; }
+/// Words of the masks for so many syntaxes.
+constexpr std::uint32_t wake_words_for(std::size_t syntaxes) {
+  return syntaxes <= 126 ? 2 : static_cast<std::uint32_t>(wake_bit(syntaxes - 1) / 64 + 1);
+}
+inline constexpr std::size_t most_wake_words = wake_words_for(longest_chain);
+
 inline constexpr ig_field list_bit = 0x80000000u;
 constexpr ig_field record_field(std::size_t list, std::size_t index) {
   return list_bit | static_cast<ig_field>(list << 16) | static_cast<ig_field>(index);
