@@ -32,7 +32,7 @@ constexpr int end_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR
 constexpr unsigned seconds_for_reproducer = 20;
 
 char** own_arguments = nullptr;
-bool may_reproduce = false;
+bool may_reproduce = false, is_confined = false;
 const char* volatile temporaries[64] = {};  // more than a command opens at once
 void (*write_here)() = nullptr;
 volatile bool is_reporting = false, is_ending = false;
@@ -322,7 +322,13 @@ void watch_calls(unsigned seconds) {
   setitimer(ITIMER_REAL, &interval, nullptr);
 }
 
-void allow_reproducer() { may_reproduce = true; }
+void allow_reproducer() { may_reproduce = !is_confined; }
+
+void guard_confined() {
+  is_confined = true;
+  may_reproduce = false;
+  for (const char* volatile& slot : temporaries) slot = nullptr;  // they belong to the process that supervises
+}
 
 Writing::Writing() : begin_(nanoseconds()) { writers = writers + 1; }
 Writing::~Writing() {

@@ -48,6 +48,9 @@ void allow_reproducer();
 void remove_when_killed(const char* path);
 void keep_when_killed(const char* path);
 
+/// This process can write no file and start no other from here on: a crash is reported, and nothing more.
+void guard_confined();
+
 /// In the process that writes a reproducer: called when it crashes, too.
 void on_crash(void (*write_reproducer)());
 

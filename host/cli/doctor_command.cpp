@@ -4,6 +4,7 @@
 
 #include "json_text.hpp"
 #include "output_file.hpp"
+#include "sandbox/untrusted.hpp"
 #include "session.hpp"
 
 namespace isogloss::cli {
@@ -152,8 +153,12 @@ int doctor_command(const Arguments& arguments) {
                    "isogloss doctor --plugins ./build/plugins");
   DoctorCommand command;
   line.flag("--json", command.json, "Write JSON");
+  UntrustedOptions untrusted;
+  untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  UntrustedWork work = untrusted_work(command.common, "", "");
+  if (const auto done = enter_untrusted(untrusted, work)) return *done;
   return command.run();
 }
 

@@ -7,6 +7,7 @@
 #include "output_file.hpp"
 #include "page_section.hpp"
 #include "program_options.hpp"
+#include "sandbox/untrusted.hpp"
 
 namespace isogloss::cli {
 
@@ -241,8 +242,14 @@ int inspect_command(const Arguments& arguments) {
       .type_name("HEADING")
       .not_empty();
   line.flag("--json", command.json, "Write JSON");
+  UntrustedOptions untrusted;
+  untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  UntrustedWork work = untrusted_work(command.common, command.dialect, command.machine);
+  work.programs = command.programs;
+  work.reads.push_back(command.name);
+  if (const auto done = enter_untrusted(untrusted, work)) return *done;
   return command.run();
 }
 

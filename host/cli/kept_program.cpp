@@ -12,7 +12,7 @@ namespace {
 
 class KeptSource : public Source {
  public:
-  explicit KeptSource(int file) : file_(file) {}
+  explicit KeptSource(int file, std::uint64_t begin = 0) : file_(file), begin_(begin) {}
   std::size_t read(char* buffer, std::size_t size) override {
     const std::size_t n = read_at(offset_, buffer, size);
     offset_ += n;
@@ -20,13 +20,13 @@ class KeptSource : public Source {
   }
   bool has_places() const override { return true; }
   std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
-    const ssize_t n = ::pread(file_, buffer, size, static_cast<off_t>(offset));
+    const ssize_t n = ::pread(file_, buffer, size, static_cast<off_t>(begin_ + offset));
     return n > 0 ? static_cast<std::size_t>(n) : 0;
   }
 
  private:
   int file_;
-  std::uint64_t offset_ = 0;
+  std::uint64_t begin_, offset_ = 0;
 };
 
 std::unique_ptr<Source> open_program(const std::string& path, Session& session) {
@@ -46,6 +46,11 @@ std::unique_ptr<KeptProgram> KeptProgram::open(const std::string& path, Session&
   const std::unique_ptr<Source> source = open_program(path, session);
   if (source == nullptr) return nullptr;
   if (path != "-" && std::filesystem::is_regular_file(path, code)) return out;
+  if (path == "-" && source->has_places()) {
+    out->input_ = STDIN_FILENO;
+    out->begin_ = static_cast<std::uint64_t>(::lseek(STDIN_FILENO, 0, SEEK_CUR));
+    return out;
+  }
   out->kept_ = std::tmpfile();
   std::string error = out->kept_ == nullptr ? "there is no room for a temporary file" : "";
   char buffer[1 << 16];
@@ -67,6 +72,7 @@ KeptProgram::~KeptProgram() {
 
 std::unique_ptr<Source> KeptProgram::source(Session& session) const {
   if (kept_ != nullptr) return std::make_unique<KeptSource>(fileno(kept_));
+  if (input_ >= 0) return std::make_unique<KeptSource>(input_, begin_);
   return open_program(path_, session);
 }
 

@@ -2,6 +2,7 @@
 /// temporary file.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -29,6 +30,8 @@ class KeptProgram {
   explicit KeptProgram(std::string path) : path_(std::move(path)) {}
   std::string path_;
   std::FILE* kept_ = nullptr;
+  int input_ = -1;           // standard input, where that is a file
+  std::uint64_t begin_ = 0;  // of the program in it
 };
 
 }  // namespace isogloss::cli

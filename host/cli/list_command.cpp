@@ -7,6 +7,7 @@
 #include "json_text.hpp"
 #include "known_codes.hpp"
 #include "output_file.hpp"
+#include "sandbox/untrusted.hpp"
 #include "session.hpp"
 
 namespace isogloss::cli {
@@ -186,8 +187,12 @@ int list_command(const Arguments& arguments) {
       .type_name("DIALECT");
   line.option("-m,--machine", command.machine, "Machine of the codes").type_name("MACHINE");
   line.flag("--json", command.json, "Write JSON");
+  UntrustedOptions untrusted;
+  untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  UntrustedWork work = untrusted_work(command.common, command.dialect, command.machine);
+  if (const auto done = enter_untrusted(untrusted, work)) return *done;
   return command.run();
 }
 

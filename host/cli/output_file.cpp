@@ -20,6 +20,9 @@ namespace {
 constexpr std::size_t buffer_size = std::size_t{256} << 10;
 constexpr std::size_t large_piece = std::size_t{32} << 10;
 
+/// In a process that can open no file for writing.
+std::vector<OutputFile::Prepared>* prepared_files = nullptr;
+
 mode_t current_umask() {
   const mode_t mask = umask(0);
   umask(mask);
@@ -47,8 +50,37 @@ std::unique_ptr<OutputFile> OutputFile::standard_output() {
   return std::unique_ptr<OutputFile>(new OutputFile(STDOUT_FILENO, {}, {}));
 }
 
+void OutputFile::use_prepared(std::vector<Prepared> files) {
+  static auto& kept = *std::make_unique<std::vector<Prepared>>().release();
+  kept = std::move(files);
+  prepared_files = &kept;
+}
+
+std::unique_ptr<OutputFile> OutputFile::open_prepared(const std::string& path, std::string& error) {
+  for (const Prepared& prepared : *prepared_files) {
+    if (prepared.path != path) continue;
+    error = prepared.error;
+    if (prepared.descriptor < 0) return nullptr;
+    // Of two files of one name the later stays, as it does where each is renamed.
+    const int descriptor = ::fcntl(prepared.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    struct stat info {};
+    const bool is_file = descriptor >= 0 && ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode);
+    if (descriptor < 0 || (is_file && (::lseek(descriptor, 0, SEEK_SET) != 0 || ::ftruncate(descriptor, 0) != 0))) {
+      error = std::strerror(errno);
+      return nullptr;
+    }
+    *prepared.is_complete = false;
+    std::unique_ptr<OutputFile> out(new OutputFile(descriptor, {}, {}));
+    out->is_complete_ = prepared.is_complete;
+    return out;
+  }
+  error = "this process can write no file that it was not given";
+  return nullptr;
+}
+
 std::unique_ptr<OutputFile> OutputFile::open(const std::string& path, std::string& error) {
   if (path == "-") return standard_output();
+  if (prepared_files != nullptr) return open_prepared(path, error);
   std::error_code ignored;
   if (std::filesystem::is_symlink(path, ignored) && !std::filesystem::exists(path, ignored)) {
     error = "it is a link to a file that does not exist";
@@ -138,6 +170,7 @@ bool OutputFile::commit() {
     descriptor_ = -1;
     if (closed != 0) return fail(errno), false;
   }
+  if (is_complete_ != nullptr) *is_complete_ = true;
   if (temporary_.empty()) return true;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) return fail(errno), false;
   keep_when_killed(temporary_.c_str());

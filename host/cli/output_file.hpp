@@ -1,10 +1,12 @@
 /// Where data goes: standard output, or a file that appears only when it is complete.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "isogloss/engine/exporter.hpp"
 
@@ -17,6 +19,17 @@ class OutputFile : public Output {
   /// A regular file is written aside and renamed by commit(); a pipe or character device is written directly; all
   /// else is refused. Null with the reason in `error`.
   static std::unique_ptr<OutputFile> open(const std::string& path, std::string& error);
+  /// A file that another process has opened for this one, which cannot; commit() tells it so, and it renames the file.
+  struct Prepared {
+    std::string path;
+    int descriptor = -1;  ///< -1: it cannot be opened, which `error` explains
+    std::string error;
+    std::atomic<bool>* is_complete = nullptr;
+  };
+  /// From now on open() gives these and no others.
+  static void use_prepared(std::vector<Prepared> files);
+  /// For the one who prepares.
+  int descriptor() const { return descriptor_; }
   ~OutputFile() override;
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -37,10 +50,12 @@ class OutputFile : public Output {
   OutputFile(int descriptor, std::string target, std::string temporary);
   bool write_through(std::string_view bytes);
   bool flush();
+  static std::unique_ptr<OutputFile> open_prepared(const std::string& path, std::string& error);
   void fail(int number);
 
   int descriptor_;
   std::string target_, temporary_;
+  std::atomic<bool>* is_complete_ = nullptr;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
   std::uint64_t allowance_ = UINT64_MAX;

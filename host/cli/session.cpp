@@ -47,6 +47,7 @@ void CommonOptions::add_to(CommandLine& line) {
   line.option("--plugins", plugins, "Look for plugins in this folder first").type_name("DIR").group("Common");
   line.option("--dialects", dialects, "Look for dialects in this folder first").type_name("DIR").group("Common");
   line.option("--machines", machines, "Look for machines in this folder first").type_name("DIR").group("Common");
+  line.flag("--any-plugins", any_plugins, "Load plugins that other users can write or replace, too").group("Common");
   line.option("--diagnostics", diagnostics, "Form of the diagnostics")
       .one_of({"text", "json", "sarif"})
       .type_name("text|json|sarif")
@@ -67,7 +68,9 @@ void CommonOptions::add_to(CommandLine& line) {
 }
 
 Session::Session(const CommonOptions& options)
-    : Workspace({options.plugins, options.dialects, options.machines}, folder_of_executable(), diagnostics_),
+    : Workspace({options.plugins, options.dialects, options.machines,
+                 options.any_plugins ? PluginTrust::any : PluginTrust::guarded},
+                folder_of_executable(), diagnostics_),
       diagnostics_output_(options.diagnostics_output),
       diagnostics_(policy(options), [this](std::string_view text) {
         if (taker_) return taker_(text);

@@ -21,7 +21,7 @@ struct CommonOptions {
   std::uint64_t repeats = 5;
   static constexpr std::uint64_t many_errors = 100'000;
   std::uint64_t maximum_errors = many_errors;
-  bool warnings_are_errors = false;
+  bool warnings_are_errors = false, any_plugins = false;
 
   void add_to(CommandLine& line);
 };

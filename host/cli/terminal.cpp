@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -17,6 +18,9 @@ namespace isogloss::cli {
 namespace {
 
 constexpr std::size_t fewest_columns = 60, most_columns = 200;
+
+std::array<bool, 2> terminals{};
+bool remembered = false;
 
 bool is_dumb() {
   const char* const terminal = std::getenv("TERM");
@@ -48,6 +52,15 @@ std::size_t columns_of(int descriptor) {
   winsize size{};
   if (columns == 0 && isatty(descriptor) != 0 && ioctl(descriptor, TIOCGWINSZ, &size) == 0) columns = size.ws_col;
   return columns == 0 ? 0 : std::clamp(columns, fewest_columns, most_columns);
+}
+
+bool is_terminal(int descriptor) {
+  return remembered ? terminals[descriptor == STDERR_FILENO ? 1 : 0] : isatty(descriptor) != 0;
+}
+
+void remember_terminals() {
+  terminals = {isatty(STDOUT_FILENO) != 0, isatty(STDERR_FILENO) != 0};
+  remembered = true;
 }
 
 bool shows_colours(int descriptor) {

@@ -12,6 +12,11 @@ namespace isogloss::cli {
 /// nobody reads it on a terminal.
 std::size_t columns_of(int descriptor);
 
+/// Whether standard output or standard error is one, also where another process hands on what this one prints.
+bool is_terminal(int descriptor);
+/// From now on is_terminal() tells what is so now.
+void remember_terminals();
+
 /// On a terminal, unless NO_COLOR is set or the terminal is dumb.
 bool shows_colours(int descriptor);
 

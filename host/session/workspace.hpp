@@ -21,9 +21,11 @@ struct Place {
   std::string named_by;  ///< "--plugins", "ISOGLOSS_PLUGIN_PATH", "installation"
 };
 
-/// Folders that the user names; they are searched first.
+/// Folders that the user names, which are searched first, and whether plugins are loaded that others can write.
 struct NamedFolders {
   std::vector<std::string> plugins, dialects, machines;
+  /// ISOGLOSS_ANY_PLUGINS=1 stands for PluginTrust::any as well.
+  PluginTrust trust = PluginTrust::guarded;
 };
 
 /// The dialect whose vocabulary and tables serve where none is named (apply, case), and the last resort of guessing.

@@ -358,6 +358,21 @@ class OddFiles(Command):
                            '<ToolOffsetTable src="tools.xml"/></Dependencies></Dialect>')
         self.assertIn("[IG-0117]", self.run_it("lint", dialect, status=1).stderr)
 
+    def test_a_dialect_behind_a_link_out_of_the_folder_is_not_extended(self):
+        head = '<Dialect xmlns="urn:isogloss:dialect:1" name="{}" extends="{}"/>'
+        self.write("elsewhere.xml", head.format("elsewhere", "iso"))
+        folder = self.path / "inside"
+        folder.mkdir()
+        (folder / "linked.xml").symlink_to("../elsewhere.xml")
+        (folder / "beside.xml").write_text(head.format("beside", "iso"))
+        for extends, status in (("linked", 1), ("./linked.xml", 1), ("beside", 0)):
+            (folder / "mine.xml").write_text(head.format("mine", extends))
+            done = self.run_it("lint", folder / "mine.xml", status=status)
+            self.assertEqual("[IG-0117]" in done.stderr, status == 1, done.stderr)
+        # What stands in a folder that the user names is the user's, links included.
+        (folder / "mine.xml").write_text(head.format("mine", "linked"))
+        self.run_it("lint", folder / "mine.xml", "--dialects", folder)
+
     def test_a_hint_out_of_many_names_is_soon_found(self):
         rows = "".join(f'<A{i}x/>' for i in range(20_000))
         table = self.write("many.xml", f"<Dependencies>{rows}</Dependencies>")

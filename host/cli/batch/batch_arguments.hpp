@@ -5,6 +5,7 @@
 #include "batch/program_list.hpp"
 #include "program_options.hpp"
 #include "run/run_budgets.hpp"
+#include "sandbox/untrusted.hpp"
 
 namespace isogloss::cli::batch {
 
@@ -17,6 +18,7 @@ struct BatchArguments {
   CommonOptions common;
   ProgramOptions program;
   RunBudgets budgets;
+  UntrustedOptions untrusted;
   ProgramPlaces places;
   std::string output, shard_text;
   std::vector<std::string> changed_since;

@@ -236,6 +236,7 @@ void add_to(CommandLine& line, BatchArguments& a) {
       .shows_default();
   a.program.add_to(line);
   a.budgets.add_to(line);
+  a.untrusted.add_flag_to(line);
   line.option("--work", a.work).group("");
   line.option("--parent", a.parent).group("");
   a.common.add_to(line);

@@ -107,10 +107,15 @@ void hear(Child& child, std::size_t which) {
   }
 }
 
+/// With what it has started: under --untrusted the work is done there.
 std::uint64_t resident_mib(pid_t process) {
+  const std::string name = std::to_string(process), folder = "/proc/" + name;
   std::uint64_t size = 0, resident = 0;
-  std::ifstream("/proc/" + std::to_string(process) + "/statm") >> size >> resident;
-  return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) >> 20;
+  std::ifstream(folder + "/statm") >> size >> resident;
+  std::uint64_t out = resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) >> 20;
+  std::ifstream started(folder + "/task/" + name + "/children");
+  for (pid_t one = 0; started >> one;) out += resident_mib(one);
+  return out;
 }
 
 /// Kills a child that has used up what it may.

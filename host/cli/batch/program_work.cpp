@@ -37,10 +37,30 @@ class FirstSaid {
   Json said_;
 };
 
+UntrustedWork untrusted_work_of(const BatchArguments& arguments) {
+  UntrustedWork out = untrusted_work(arguments.common, arguments.program);
+  out.common.diagnostics = "text";
+  out.outputs.clear();
+  out.programs.push_back(arguments.work);
+  out.memory_mib = arguments.budgets.memory_mib;
+  out.output_bytes = arguments.budgets.output_bytes;
+  return out;
+}
+
+/// A little more time and memory than the batch allows, which it can tell more of when it ends the work itself.
+std::optional<int> enter_untrusted(const BatchArguments& arguments) {
+  UntrustedOptions options = arguments.untrusted;
+  options.seconds = arguments.maximum_seconds == 0 ? 0 : arguments.maximum_seconds + 2;
+  UntrustedWork work = untrusted_work_of(arguments);
+  work.memory_mib += work.memory_mib / 2;
+  return cli::enter_untrusted(options, work);
+}
+
 }  // namespace
 
 int do_work(const BatchArguments& arguments) {
   end_with_parent(arguments.parent);
+  if (const auto done = enter_untrusted(arguments)) return *done;
   // What a plugin prints is no result.
   const int out = ::dup(STDOUT_FILENO);
   if (out < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return cannot_start;

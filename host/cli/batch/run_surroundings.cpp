@@ -6,6 +6,7 @@
 #include <set>
 
 #include "dialect_files.hpp"
+#include "outputs.hpp"
 
 namespace isogloss::cli::batch {
 
@@ -23,9 +24,9 @@ std::string text_of(const BatchArguments& a, FileHashes& hashes) {
   for (const std::string& one : p.subprograms) out += "subprograms=" + one + "\n";
   out += fmt::format("main-passes={}\nlimits={} {} {} {} {} {} {}\n", p.main_passes, p.maximum_depth, p.maximum_jumps,
                      p.maximum_loop_blocks, p.maximum_repeat_blocks, p.maximum_blocks, p.maximum_motions, p.watchdog);
-  return out + fmt::format("budgets={} {} {}\nerrors={} {}\ntime={}\n", a.budgets.output_bytes, a.budgets.memory_mib,
-                           a.budgets.diagnostics, a.common.maximum_errors, a.common.warnings_are_errors,
-                           a.maximum_seconds);
+  return out + fmt::format("budgets={} {} {}\nerrors={} {}\ntime={}\nuntrusted={}\n", a.budgets.output_bytes,
+                           a.budgets.memory_mib, a.budgets.diagnostics, a.common.maximum_errors,
+                           a.common.warnings_are_errors, a.maximum_seconds, a.untrusted.on);
 }
 
 void add_files_of(const std::vector<Place>& places, const char* extension, std::set<std::string>& files) {
@@ -43,9 +44,15 @@ std::optional<std::string> hash_of_surroundings(const BatchArguments& arguments,
   const std::optional<RunOptions> options = program.make(session);
   if (!options) return std::nullopt;
   std::set<std::string> files{"/proc/self/exe", program.machine};
-  if (program.dialect.empty()) {
+  // The files of a dialect and its plugins are known once they are loaded, which untrusted ones are in the sandbox
+  // only.
+  if (program.dialect.empty() || arguments.untrusted.on) {
     add_files_of(session.dialect_places(), ".xml", files);
     add_files_of(session.plugin_places(), ".so", files);
+    if (fs::path(program.dialect).has_parent_path()) {
+      for (std::string& file : files_of_machine(program.dialect)) files.insert(std::move(file));
+      add_files_of({{fs::path(program.dialect).parent_path(), {}}}, ".xml", files);
+    }
   } else {
     std::unique_ptr<LinkedDialect> linked = session.link(program.dialect, options->chain.dependencies);
     if (linked == nullptr) return std::nullopt;

@@ -9,6 +9,7 @@
 #include "case/case_report.hpp"
 #include "isogloss/engine/cases.hpp"
 #include "output_file.hpp"
+#include "sandbox/untrusted.hpp"
 #include "surroundings.hpp"
 
 namespace isogloss::cli {
@@ -148,10 +149,15 @@ int case_command(const Arguments& arguments) {
   line.flag("--json", json, "The same as --format json");
   line.flag("--junit", junit, "The same as --format junit");
   command.around.add_to(line);
+  UntrustedOptions untrusted;
+  untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
   if (json) command.format = "json";
   if (junit) command.format = "junit";
+  UntrustedWork work = untrusted_work(command.common, command.around.dialect, command.around.machine);
+  work.programs = command.files;
+  if (const auto done = enter_untrusted(untrusted, work)) return *done;
   return command.run();
 }
 

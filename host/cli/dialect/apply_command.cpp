@@ -2,6 +2,7 @@
 #include "crash_guard.hpp"
 #include "isogloss/engine/cases.hpp"
 #include "output_file.hpp"
+#include "sandbox/untrusted.hpp"
 #include "surroundings.hpp"
 
 namespace isogloss::cli {
@@ -67,8 +68,14 @@ int apply_command(const Arguments& arguments) {
   bool json = false;
   line.flag("--json", json, "Write JSON, which is its only form");
   command.around.add_to(line);
+  UntrustedOptions untrusted;
+  untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  UntrustedWork work = untrusted_work(command.common, command.around.dialect, command.around.machine);
+  work.programs.push_back("-");
+  work.reads.insert(work.reads.end(), {command.previous, command.ahead, command.dependencies});
+  if (const auto done = enter_untrusted(untrusted, work)) return *done;
   return command.run();
 }
 

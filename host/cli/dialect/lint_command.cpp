@@ -8,6 +8,7 @@
 #include "dialect/order_patch.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
+#include "sandbox/untrusted.hpp"
 #include "session.hpp"
 
 namespace isogloss::cli {
@@ -135,8 +136,14 @@ int lint_command(const Arguments& arguments) {
   line.flag("--suggest", command.suggest,
             "Print a patch of the dialect's file that makes the order valid and moves as little as possible");
   line.flag("--json", command.json, "Write JSON; diagnostics stand in it, and on standard error as ever");
+  UntrustedOptions untrusted;
+  untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  UntrustedWork work = untrusted_work(command.common, "", "");
+  work.reads = command.machines;
+  for (const std::string& dialect : command.dialects) work.add_dialect(dialect);
+  if (const auto done = enter_untrusted(untrusted, work)) return *done;
   return command.run();
 }
 

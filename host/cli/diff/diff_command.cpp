@@ -183,6 +183,7 @@ int diff_command(const Arguments& arguments) {
   DiffCommand command;
   command.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  if (const auto done = enter_untrusted(command.untrusted, command.untrusted_work())) return *done;
   return command.run();
 }
 

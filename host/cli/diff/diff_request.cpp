@@ -32,7 +32,20 @@ void DiffRequest::add_to(CommandLine& line) {
   line.flag("--json", json, "Write JSON");
   line.option("--html", page, "Write a page that shows all of it, too").type_name("FILE");
   program.add_to(line);
+  untrusted.add_to(line);
   common.add_to(line);
+}
+
+UntrustedWork DiffRequest::untrusted_work() const {
+  UntrustedWork out = cli::untrusted_work(common, program);
+  out.programs = programs;
+  if (!against.empty()) out.programs.push_back(against);
+  for (std::size_t side = 0; side < 2; ++side) {
+    out.reads.push_back(machines[side]);
+    out.add_dialect(dialects[side]);
+  }
+  out.outputs.push_back(page);
+  return out;
 }
 
 bool DiffRequest::has_sides() const {

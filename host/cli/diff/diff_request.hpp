@@ -8,6 +8,7 @@
 
 #include "diff/motions.hpp"
 #include "program_options.hpp"
+#include "sandbox/untrusted.hpp"
 
 namespace isogloss::cli::parting {
 
@@ -20,8 +21,10 @@ struct DiffRequest {
   std::string against, tolerance_text, page;
   std::vector<std::string> ignored;
   bool motions = false, all = false, json = false;
+  UntrustedOptions untrusted;
 
   void add_to(CommandLine& line);
+  UntrustedWork untrusted_work() const;
   /// Which programs stand on which side; false, and reported, where that cannot be said.
   bool read_operands(Session& session);
   /// Empty, and reported, where the text of --tolerance is none.

@@ -12,6 +12,7 @@
 #include "output_file.hpp"
 #include "program_options.hpp"
 #include "run_progress.hpp"
+#include "sandbox/untrusted.hpp"
 
 namespace isogloss::cli {
 
@@ -135,8 +136,14 @@ int explain_command(const Arguments& arguments) {
   line.flag("--json", command.json,
             "Write JSON, as schemas/explain.schema.json, or explain-field.schema.json, describes it");
   command.program.add_to(line);
+  UntrustedOptions untrusted;
+  untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  UntrustedWork work = untrusted_work(command.common, command.program);
+  work.programs.push_back(program_of_lines(command.what));
+  work.reads.push_back(command.target.file);
+  if (const auto done = enter_untrusted(untrusted, work)) return *done;
   return command.run();
 }
 

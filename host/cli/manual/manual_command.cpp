@@ -92,6 +92,7 @@ std::string page_of_isogloss() {
   out += exit_status() + ".SH ENVIRONMENT\n";
   for (const auto& [name, text] : {
            std::pair("ISOGLOSS_PLUGIN_PATH", "Folders with plugins, separated by colons."),
+           std::pair("ISOGLOSS_ANY_PLUGINS", "1: load plugins that other users can write or replace, too."),
            std::pair("ISOGLOSS_DIALECT_PATH", "Folders with dialects."),
            std::pair("ISOGLOSS_MACHINES", "Folders with machines."),
            std::pair("NO_COLOR", "Where it is set, diagnostics have no colours on a terminal."),

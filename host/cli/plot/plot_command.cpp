@@ -2,6 +2,7 @@
 #include "output_file.hpp"
 #include "outputs.hpp"
 #include "plot/svg_page.hpp"
+#include "sandbox/untrusted.hpp"
 
 namespace isogloss::cli {
 
@@ -11,6 +12,7 @@ struct PlotCommand {
   CommonOptions common;
   ProgramOptions program;
   ToolPathOptions drawn;
+  UntrustedOptions untrusted;
   std::string path, output;
 
   int run();
@@ -54,8 +56,13 @@ int plot_command(const Arguments& arguments) {
       .at_least(1)
       .type_name("N")
       .shows_default();
+  command.untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  UntrustedWork work = untrusted_work(command.common, command.program);
+  work.programs.push_back(command.path);
+  work.outputs.push_back(command.output);
+  if (const auto done = enter_untrusted(command.untrusted, work)) return *done;
   return command.run();
 }
 

@@ -10,6 +10,7 @@
 #include "program_options.hpp"
 #include "reproducer.hpp"
 #include "run/run_budgets.hpp"
+#include "sandbox/untrusted.hpp"
 #include "table_saver.hpp"
 
 namespace isogloss::cli {
@@ -23,6 +24,7 @@ struct RunArguments {
        json = false;
   ReproducerRequest reproducer;
   RunBudgets budgets;
+  UntrustedOptions untrusted;
   std::vector<std::string> save_table;
   std::vector<TableRequest> tables_to_save;
   CanonicalRequest canonical;

@@ -15,6 +15,7 @@ namespace {
 struct RunCommand : RunArguments {
   void add_to(CommandLine& line);
   int run();
+  UntrustedWork untrusted_work() const;
 };
 
 void RunCommand::add_to(CommandLine& line) {
@@ -43,7 +44,20 @@ void RunCommand::add_to(CommandLine& line) {
   line.flag("--checked", checked, "Check every access of a syntax against its declaration (slow)").group("Testing");
   line.flag("--call-all", call_all, "Call every syntax in every block; must give the same result").group("Testing");
   reproducer.add_to(line);
+  untrusted.add_to(line);
   common.add_to(line);
+}
+
+UntrustedWork RunCommand::untrusted_work() const {
+  UntrustedWork out = cli::untrusted_work(common, program);
+  out.programs = programs;
+  out.outputs.push_back(output);
+  for (const std::string& request : save_table)
+    if (const std::size_t equals = request.find('='); equals != std::string::npos)
+      out.outputs.push_back(request.substr(equals + 1));
+  out.memory_mib = budgets.memory_mib;
+  out.output_bytes = budgets.output_bytes;
+  return out;
 }
 
 int RunCommand::run() {
@@ -59,7 +73,7 @@ int RunCommand::run() {
     return cannot_start;
   }
   const bool writes_to_stdout = output.empty() || output == "-";
-  if (format == "binary" && emit == "motions" && writes_to_stdout && isatty(STDOUT_FILENO) != 0) {
+  if (format == "binary" && emit == "motions" && writes_to_stdout && is_terminal(STDOUT_FILENO)) {
     session.report("IG-0513", {}, {"--format binary is not for a terminal; give -o FILE, or a pipe"});
     return cannot_start;
   }
@@ -123,6 +137,7 @@ int run_command(const Arguments& arguments) {
   command.add_to(*line);
   if (const auto done = line->parse(arguments)) return *done;
   keep_to_the_end(std::move(line));
+  if (const auto done = enter_untrusted(command.untrusted, command.untrusted_work())) return *done;
   return command.run();
 }
 

@@ -1,6 +1,7 @@
 // Shows the path of a program in a page: one file, or served from this machine and made anew at each change.
 #include "output_file.hpp"
 #include "outputs.hpp"
+#include "sandbox/untrusted.hpp"
 #include "view/server.hpp"
 
 namespace isogloss::cli {
@@ -11,10 +12,12 @@ struct ViewCommand {
   viewing::ViewOptions view;
   std::string output;
   bool serve = false;
+  UntrustedOptions untrusted;
   std::uint32_t port = 0;
 
   void add_to(CommandLine& line);
   int run();
+  UntrustedWork untrusted_work() const;
 
  private:
   bool is_usage_sound(Session& session) const;
@@ -47,13 +50,24 @@ void ViewCommand::add_to(CommandLine& line) {
             "dialect change");
   line.option("--port", port, "With --serve: the port (0: one that is free)").type_name("N").shows_default();
   view.program.add_to(line);
+  untrusted.add_to(line);
   view.common.add_to(line);
+}
+
+UntrustedWork ViewCommand::untrusted_work() const {
+  UntrustedWork out = cli::untrusted_work(view.common, view.program);
+  out.programs.push_back(view.path);
+  out.outputs.push_back(output);
+  out.reads.insert(out.reads.end(), view.machines.begin(), view.machines.end());
+  for (const std::string& dialect : view.dialects) out.add_dialect(dialect);
+  return out;
 }
 
 bool ViewCommand::is_usage_sound(Session& session) const {
   constexpr std::uint32_t last_port = 65535;
   std::string fault;
   if (serve && !output.empty()) fault = "--serve and -o contradict each other; leave one out";
+  if (serve && untrusted.on) fault = "--untrusted writes a page: the server of --serve needs what it forbids";
   if (!serve && port != 0) fault = "--port belongs to --serve";
   if (port > last_port) fault = "--port must be 0 to 65535, not " + std::to_string(port);
   if (fault.empty()) return true;
@@ -94,7 +108,10 @@ int view_command(const Arguments& arguments) {
   ViewCommand command;
   command.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
-  return command.run();
+  // A server connects: is_usage_sound() refuses it.
+  const bool is_refused = command.serve && command.untrusted.on;
+  const auto done = is_refused ? std::nullopt : enter_untrusted(command.untrusted, command.untrusted_work());
+  return done ? *done : command.run();
 }
 
 }  // namespace isogloss::cli

@@ -15,6 +15,7 @@
 #include "contract/descriptor_check.hpp"
 #include "contract/descriptor_copy.hpp"
 #include "contract/elf_check.hpp"
+#include "contract/plugin_trust.hpp"
 
 namespace isogloss {
 
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 
 struct Library::Parts {
   std::vector<fs::path> folders;
+  PluginTrust trust = PluginTrust::guarded;
   std::vector<boost::dll::shared_library> resident;
   std::vector<LoadedPlugin> plugins;
   std::vector<RefusedPlugin> refused;
@@ -29,6 +31,8 @@ struct Library::Parts {
   bool load(const fs::path& file);
   bool refuse(const fs::path& file, std::string_view code, std::initializer_list<std::string> arguments);
   bool admit(const fs::path& file, const ig_plugin* original);
+  /// False, and refused, when others can write the path.
+  bool is_trusted(const fs::path& path);
 
   std::vector<std::unique_ptr<PluginCopy>> copies;
 };
@@ -112,6 +116,11 @@ bool Library::Parts::admit(const fs::path& file, const ig_plugin* original) {
   return true;
 }
 
+bool Library::Parts::is_trusted(const fs::path& path) {
+  const std::optional<OpenPlace> open = trust == PluginTrust::any ? std::nullopt : open_place(path);
+  return !open || refuse(path, "IG-0311", {path.string(), open->path.string(), open->who, open->remedy});
+}
+
 bool Library::Parts::load(const fs::path& file) {
   const auto known = [&](const auto& list) {
     return std::any_of(list.begin(), list.end(), [&](const auto& p) { return p.file == file; });
@@ -120,6 +129,7 @@ bool Library::Parts::load(const fs::path& file) {
   if (known(refused)) return false;
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return refuse(file, "IG-0301", {file.string(), "not a regular file"});
+  if (!is_trusted(file)) return false;
   // Looks before loading: a file without the entry symbol never gets to run its initializers here.
   std::vector<std::string> exports;
   if (const std::optional<std::string> fault = elf_fault(file)) return refuse(file, "IG-0301", {file.string(), *fault});
@@ -153,8 +163,9 @@ bool Library::Parts::load(const fs::path& file) {
   }
 }
 
-Library::Library(const std::vector<fs::path>& folders) : parts_(std::make_unique<Parts>()) {
+Library::Library(const std::vector<fs::path>& folders, PluginTrust trust) : parts_(std::make_unique<Parts>()) {
   parts_->folders = folders;
+  parts_->trust = trust;
 }
 
 // Plugins stay resident: their descriptors and code may still be in use by a linked dialect.
@@ -195,6 +206,8 @@ void Library::load_all() {
     std::vector<fs::path> files;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
       if (it->path().extension() == ".so") files.push_back(it->path());
+    // The folder is refused once, instead of each of its plugins.
+    if (files.empty() || !parts_->is_trusted(folder)) continue;
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files) parts_->load(file);
   }

@@ -278,7 +278,16 @@ class Reading {
   fs::path find_base(const DialectFile& file) {
     const fs::path folder = file.own.file.parent_path();
     if (!names_a_file(file.extends)) {
-      // Beside the file that asks, then in the folders.
+      // Beside the file that asks, then in the folders. Links in those are the user's, others may be anybody's.
+      const std::string beside = file.extends + ".xml";
+      const bool is_users = std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& users) {
+        std::error_code error;
+        return fs::equivalent(users, folder.empty() ? "." : folder, error);
+      });
+      if (!is_users && is_file(folder / beside) && below_folder_of(file.own.file.string(), beside).empty()) {
+        leads_out(file);
+        return {};
+      }
       std::vector<fs::path> places = folders_;
       places.insert(places.begin(), folder);
       fs::path found = search(file.extends, places);
@@ -290,9 +299,12 @@ class Reading {
         !fs::path(file.extends).is_absolute() &&
         (!below_folder_of(file.own.file.string(), file.extends).empty() ||
          std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& f) { return is_below(path, f); }));
-    if (allowed) return path;
+    if (!allowed) leads_out(file);
+    return allowed ? path : fs::path();
+  }
+
+  void leads_out(const DialectFile& file) {
     report_("IG-0117", file.extends_where, {shown(file.extends), "the dialect's folder and the dialect folders"});
-    return {};
   }
 
   static fs::path search(const std::string& name, const std::vector<fs::path>& places) {

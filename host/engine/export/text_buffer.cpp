@@ -59,12 +59,20 @@ std::string valid_utf8(std::string_view text) {
 
 std::string printable(std::string_view text, std::string_view kept) {
   std::string out;
-  for (const char c : valid_utf8(text)) {
+  const std::string valid = valid_utf8(text);
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    const char c = valid[i];
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 || byte == 0x7f) && kept.find(c) == std::string_view::npos)
+    const unsigned next = i + 1 < valid.size() ? static_cast<unsigned char>(valid[i + 1]) : 0;
+    if ((byte < 0x20 || byte == 0x7f) && kept.find(c) == std::string_view::npos) {
       out += fmt::format("\\x{:02x}", byte);
-    else
+    } else if (byte == 0xc2 && next < 0xa0) {
+      // U+0080 to U+009F: terminals obey U+009B as they obey an escape and a bracket.
+      out += fmt::format("\\x{:02x}", next);
+      ++i;
+    } else {
       out += c;
+    }
   }
   return out;
 }

@@ -35,6 +35,7 @@ TEST_CASE("Text has place, severity, message, code and hint") {
 
 TEST_CASE("Text shows what a terminal would obey, and bytes that are no text") {
   CHECK(said({}, {warning("a\x1b[31m\n")}) == "part.nc:3:5: warning: a\\x1b[31m\\x0a [AB-1]\n");
+  CHECK(said({}, {warning("\xc2\x9b\x33\xc2\xa0")}) == "part.nc:3:5: warning: \\x9b3\xc2\xa0 [AB-1]\n");
   CHECK(said({}, {warning("\xff")}) == "part.nc:3:5: warning: \xef\xbf\xbd [AB-1]\n");
 }
 

@@ -131,6 +131,11 @@ std::vector<DiagnosticInfo> link_diagnostics() {
        "Codes of diagnostics are unique, so that `isogloss explain CODE` and the severities of a dialect mean one of "
        "them. Each plugin has a prefix of its own.",
        "two plugins with ACM-0001"},
+      {error, "IG-0311", "{0} is not loaded, because {2} can write {1}: {3}",
+       "Whoever can write a plugin, or the folder that holds it or a link to it, chooses what runs as you. A group may "
+       "write where you are one of it; others may write a folder with the sticky bit where the entry in it is yours or "
+       "root's. --any-plugins, or ISOGLOSS_ANY_PLUGINS=1, loads such plugins all the same.",
+       "a plugin folder with the mode 0777"},
       {error, "IG-0350", "{0} of plugin {1} threw an exception out of {2}(), whose result cannot be trusted: {3}",
        "No exception may leave a function of the contract, which is plain C. The host caught it and goes on where that "
        "is possible. This is a fault of the plugin; the SDK catches what its syntaxes throw.",

@@ -251,6 +251,32 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "What is finished is kept in the folder of the results: when the cause is gone, the same command goes on from "
        "there.",
        "isogloss batch archive -o results, with no file descriptor left"},
+
+      // untrusted programs and plugins: 0680-0689
+      {error, "IG-0680", "--untrusted cannot be kept here, so nothing was run: {0}",
+       "--untrusted needs Linux with seccomp filters and listeners for them (5.0), an isogloss that was built with "
+       "libseccomp, and no other listener around it.",
+       "isogloss run part.nc --untrusted, on an old kernel"},
+      {error, "IG-0681", "the work tried what --untrusted forbids, and was ended: {0}",
+       "Under --untrusted the work may read its own inputs, calculate and print. It may not open files for writing, "
+       "change names or rights, connect, start processes, signal or examine others, or raise its limits. Isogloss "
+       "itself "
+       "does none of it, so a plugin did: it is hostile, or needs what you do not grant. No output file was written.",
+       "isogloss run part.nc --untrusted, with a plugin that opens a socket"},
+      {error, "IG-0682", "the work was ended, because {0}: the output ends here, and no file was written",
+       "--untrusted ends what takes longer than --max-time, on the clock or on the processor, needs more than "
+       "--max-memory, prints more than --max-output, or begins more than 64 threads.",
+       "isogloss run part.nc --untrusted --max-time 10"},
+      {error, "IG-0683", "the work came to no end of its own: {0}; no output file was written",
+       "Under --untrusted a process of its own does the work. It crashed, or a plugin ended it.",
+       "isogloss run part.nc --untrusted, with a plugin that ends the process"},
+      {note, "IG-0684", "this kernel cannot confine reading: the work can read what you can read",
+       "Where the kernel has Landlock (Linux 5.13), --untrusted also confines reading to the folders of the plugins, "
+       "dialects, machines and programs and to the system's libraries. All other promises hold without it.",
+       "isogloss run part.nc --untrusted, on an old kernel"},
+      {error, "IG-0685", "with --untrusted a program is a file, or - for standard input",
+       "The work can open nothing but files in their folders. Give what comes from a pipe to standard input.",
+       "isogloss run --untrusted <(zcat part.nc.gz)"},
   };
 }
 

@@ -1,6 +1,7 @@
 /// The plugins that are loaded, and what they contribute.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -24,11 +25,17 @@ struct LoadedPlugin {
   std::vector<std::string> extra_exports;  ///< symbols besides the entry, which other plugins would share
 };
 
+/// Which files are loaded as plugins.
+enum class PluginTrust : std::uint8_t {
+  guarded,  ///< only those that nobody but their owner, the user, the user's groups and root can change or replace
+  any,      ///< all, whoever can write them
+};
+
 /// Loads each *.so of the folders once and keeps it resident. When two folders hold a plugin of one name, the first
 /// folder's wins and the other is refused. Nothing outside the folders is loaded.
 class Library {
  public:
-  explicit Library(const std::vector<std::filesystem::path>& folders);
+  explicit Library(const std::vector<std::filesystem::path>& folders, PluginTrust trust = PluginTrust::guarded);
   ~Library();
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
