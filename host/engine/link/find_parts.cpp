@@ -8,7 +8,6 @@ namespace isogloss {
 
 namespace {
 
-
 void find_syntax(Linking& linking, const ChainElement& element) {
   LinkedSyntax s;
   s.element = element;

@@ -45,8 +45,8 @@ inline constexpr double powers_of_ten[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6
   return true;
 }
 
-/// A number of at most eight digits and a point, without its sign: as nearly all are. False, with `out` as it was, where
-/// it is longer, no number, or near the end of a text of a few bytes.
+/// A number of at most eight digits and a point, without its sign: as nearly all are. False, with `out` as it was,
+/// where it is longer, no number, or near the end of a text of a few bytes.
 [[gnu::always_inline]] inline bool read_short_decimal(std::string_view text, const char* p, bool is_negative,
                                                       Decimal& out) {
   if constexpr (std::endian::native != std::endian::little) return false;

@@ -53,7 +53,8 @@ struct LinearMotion {
     else if (rotary_.fresh(b) != 0)
       feed_and_turn(b, in_force);
     else
-      motion_.feed(b, [&] { return way(b); }, in_force);
+      motion_.feed(
+          b, [&] { return way(b); }, in_force);
     return ig::Status::changed;
   }
 
@@ -65,11 +66,13 @@ struct LinearMotion {
     const double linear = way(b);
     const bool only_turns = linear < same_way_mm;
     if (!only_turns && (feed_counts_ == FeedCounts::linear_axes || b.is_raised(tip_is_led_))) {
-      motion_.feed(b, [&] { return linear; }, in_force);
+      motion_.feed(
+          b, [&] { return linear; }, in_force);
       return;
     }
     const double turned = turn(b), unit = b.is(unit_, inch_) ? mm_per_inch : 1;
-    motion_.feed(b, [&] { return only_turns ? turned : linear; }, in_force);
+    motion_.feed(
+        b, [&] { return only_turns ? turned : linear; }, in_force);
     const auto feed = b.get(feedrate_);
     if (!feed || b.is(feed_mode_, g93_)) return;
     if (only_turns) {

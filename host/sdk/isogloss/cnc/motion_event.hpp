@@ -41,9 +41,7 @@ class MotionGroup {
     ig_field field = IG_NO_FIELD;
     ig_value value{};
   };
-  Entry entry(std::size_t code) const {
-    return {state_.id(), ig::detail::ValueOf<Symbol>::write(codes_.name(code))};
-  }
+  Entry entry(std::size_t code) const { return {state_.id(), ig::detail::ValueOf<Symbol>::write(codes_.name(code))}; }
 
   /// True when an earlier motion syntax has dealt with the block's code, or with the code in force.
   bool is_answered(const Block& b) const { return b.is_fresh(state_); }

@@ -87,8 +87,8 @@ class Document {
   ig_view view_{};  // first: a syntax looks for it where its block begins
 
  public:
-  /// Sizes for one layout; `wake` is wake_words masks, 2 to most_wake_words, for each field (which syntaxes a write wakes) and,
-  /// behind them, for each list (which syntaxes a new record wakes).
+  /// Sizes for one layout; `wake` is wake_words masks, 2 to most_wake_words, for each field (which syntaxes a write
+  /// wakes) and, behind them, for each list (which syntaxes a new record wakes).
   Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words);
   const Layout& layout() const { return *layout_; }
   /// As a syntax gets it: it begins with the view of the present values.

@@ -54,9 +54,9 @@ struct ListInfo {
 /// The most syntaxes of a chain (IG-0216).
 inline constexpr std::size_t longest_chain = 1024;
 
-// Masks of the syntaxes that build, in 64-bit words: a bit for each. The first two words hold nearly every chain, so they
-// end with two flags, and what lies beyond them is looked at only where the first flag is raised.
-inline constexpr std::uint64_t wakes_beyond = std::uint64_t{1} << 62;    ///< of word 1: a bit of a later word is set
+// Masks of the syntaxes that build, in 64-bit words: a bit for each. The first two words hold nearly every chain, so
+// they end with two flags, and what lies beyond them is looked at only where the first flag is raised.
+inline constexpr std::uint64_t wakes_beyond = std::uint64_t{1} << 62;     ///< of word 1: a bit of a later word is set
 inline constexpr std::uint64_t holds_far_words = std::uint64_t{1} << 63;  ///< of word 1; Document::find_open_words()
 /// The bit of a syntax, by its distance from LinkedDialect::first_build.
 constexpr std::size_t wake_bit(std::size_t place) { return place < 126 ? place : place + 2; }
