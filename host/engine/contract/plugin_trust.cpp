@@ -38,6 +38,17 @@ std::optional<OpenPlace> open_by_mode(const fs::path& path, const struct stat& i
                    std::string("chmod ") + modes + " " + path.string()};
 }
 
+/// Whoever can write a folder above the program that runs can replace the program itself: such a folder is no better
+/// guarded by a look at it.
+bool is_above_program(const fs::path& folder) {
+  static const fs::path program = [] {
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error);
+  }();
+  const auto [ended, rest] = std::mismatch(folder.begin(), folder.end(), program.begin(), program.end());
+  return ended == folder.end() && rest != program.end();
+}
+
 /// The folder that holds the entry: a sticky one lets others replace only what belongs to them.
 std::optional<OpenPlace> open_folder(const fs::path& folder, const struct stat& entry, Near near) {
   struct stat info {};
@@ -76,7 +87,8 @@ std::optional<OpenPlace> open_place(const fs::path& path) {
     const bool is_link = S_ISLNK(info.st_mode);
     const bool is_last = std::all_of(rest.begin(), rest.end(), [](const fs::path& p) { return p.empty() || p == "."; });
     const bool is_near = is_link || (is_last && !S_ISDIR(info.st_mode));
-    if (auto open = open_folder(at, info, is_near ? Near::yes : Near::no)) return open;
+    if (is_near || !is_above_program(at))
+      if (auto open = open_folder(at, info, is_near ? Near::yes : Near::no)) return open;
     if (!is_link) {
       // A sticky folder with plugins is judged by each of them.
       const bool is_sticky = S_ISDIR(info.st_mode) && (info.st_mode & S_ISVTX) != 0;
