@@ -28,6 +28,13 @@ namespace {
 
 constexpr std::string_view replacement = "\xef\xbf\xbd";
 
+template <class Test>
+std::size_t bytes_before(std::string_view text, Test ends) {
+  std::size_t i = 0;
+  while (i < text.size() && !ends(static_cast<unsigned char>(text[i]))) ++i;
+  return i;
+}
+
 void append_escaped(std::string& out, char c) {
   constexpr char hex[] = "0123456789abcdef";
   switch (c) {
@@ -50,6 +57,10 @@ std::string valid_utf8(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   while (!text.empty()) {
+    const std::size_t plain = bytes_before(text, [](unsigned char c) { return c >= 0x80; });
+    out.append(text.data(), plain);
+    text.remove_prefix(plain);
+    if (text.empty()) break;
     const std::size_t length = utf8_length(text);
     out += length == 0 ? replacement : text.substr(0, length);
     text.remove_prefix(length == 0 ? 1 : length);
@@ -60,19 +71,25 @@ std::string valid_utf8(std::string_view text) {
 std::string printable(std::string_view text, std::string_view kept) {
   std::string out;
   const std::string valid = valid_utf8(text);
-  for (std::size_t i = 0; i < valid.size(); ++i) {
-    const char c = valid[i];
-    const auto byte = static_cast<unsigned char>(c);
-    const unsigned next = i + 1 < valid.size() ? static_cast<unsigned char>(valid[i + 1]) : 0;
-    if ((byte < 0x20 || byte == 0x7f) && kept.find(c) == std::string_view::npos) {
-      out += fmt::format("\\x{:02x}", byte);
-    } else if (byte == 0xc2 && next < 0xa0) {
+  out.reserve(valid.size());
+  for (std::string_view rest = valid; !rest.empty();) {
+    const std::size_t plain = bytes_before(rest, [](unsigned char c) { return c < 0x20 || c == 0x7f || c == 0xc2; });
+    out.append(rest.data(), plain);
+    rest.remove_prefix(plain);
+    if (rest.empty()) break;
+    const auto byte = static_cast<unsigned char>(rest[0]);
+    const unsigned next = rest.size() > 1 ? static_cast<unsigned char>(rest[1]) : 0;
+    if (byte == 0xc2 && next < 0xa0) {
       // U+0080 to U+009F: terminals obey U+009B as they obey an escape and a bracket.
       out += fmt::format("\\x{:02x}", next);
-      ++i;
-    } else {
-      out += c;
+      rest.remove_prefix(2);
+      continue;
     }
+    if (byte == 0xc2 || kept.find(rest[0]) != std::string_view::npos)
+      out += rest[0];
+    else
+      out += fmt::format("\\x{:02x}", byte);
+    rest.remove_prefix(1);
   }
   return out;
 }
