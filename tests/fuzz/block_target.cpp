@@ -32,6 +32,7 @@ class BlockTarget : public Target {
       fail("a block that cannot be built is reported");
   }
 
+  std::vector<std::string> words() const override { return declared_names(); }
   std::vector<std::string> samples() const override {
     std::vector<std::string> out;
     for (std::size_t i = 0; i < syntaxes_.size(); ++i) {

@@ -33,6 +33,7 @@ class DialectTarget : public Target {
     for (const Diagnostic& d : of_run.all)
       if (d.code == "IG-0402") fail("no dialect makes a plugin break the contract: " + d.message);
   }
+  std::vector<std::string> words() const override { return declared_names(); }
   std::vector<std::string> samples() const override {
     std::vector<std::string> out = texts_of_files("dialects", ".xml");
     for (std::string& text : texts_of_files("tests", ".dialect.xml")) out.push_back(std::move(text));

@@ -54,6 +54,7 @@ class ImportTarget : public Target {
     if (of_tables.has_errors()) fail("tables of an importer read back: " + of_tables.all[0].message);
     static_cast<void>(recognise(text, "file", workspace().library()));
   }
+  std::vector<std::string> words() const override { return declared_names(); }
   std::vector<std::string> samples() const override {
     std::vector<std::string> out;
     for (std::size_t i = 0; i < all_.size(); ++i)

@@ -20,6 +20,7 @@ class PageTarget : public Target {
     for (std::size_t i = 0; i < page.cases.size() && i < most_cases; ++i)
       static_cast<void>(run_case(page, page.cases[i], "page.md", {}, workspace().library()));
   }
+  std::vector<std::string> words() const override { return declared_names(); }
   std::vector<std::string> samples() const override { return texts_of_files("plugins", ".md"); }
 };
 

@@ -63,10 +63,16 @@ class ProgramTarget : public Target {
 
   std::vector<std::string> samples() const override {
     if (!before_.empty()) return expressions();
-    std::vector<std::string> out = texts_of_files("tests/programs/" + name_, ".nc");
-    for (const char* const ending : {".mpf", ".spf", ".h", ".tap"})
-      for (std::string& text : texts_of_files("tests/programs/" + name_, ending)) out.push_back(std::move(text));
-    return out;
+    return product::programs_of(name_);
+  }
+
+  std::vector<std::string> words() const override {
+    std::set<std::string> out;
+    for (const FieldInfo& field : dialect(name_).layout.fields)
+      if (field.path.starts_with("Parsing.")) add_words(field.path.substr(8), out);
+    for (const LinkedSyntax& syntax : dialect(name_).chain)
+      for (const OptionValue& option : syntax.options) add_words(option.text, out);
+    return {out.begin(), out.end()};
   }
 
  private:

@@ -36,6 +36,7 @@ class TablesTarget : public Target {
     }
     expect_no_internal_fault(of_run.all);
   }
+  std::vector<std::string> words() const override { return declared_names(); }
   std::vector<std::string> samples() const override { return texts_of_files("tests/programs", ".xml"); }
 };
 

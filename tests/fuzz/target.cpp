@@ -1,14 +1,11 @@
 #include "target.hpp"
 
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 namespace isogloss::fuzz {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -20,7 +17,7 @@ const std::map<std::string, Make>& targets() {
                                     {"import", make_import_target},   {"page", make_page_target},
                                     {"block", make_block_target},     {"descriptor", make_descriptor_target},
                                     {"stream", make_stream_target},   {"messages", make_messages_target}};
-    for (const char* const name : {"fanuc", "haas", "okuma", "syntec", "siemens", "heidenhain"})
+    for (const char* const name : {"fanuc", "haas", "iso", "okuma", "syntec", "siemens", "heidenhain"})
       out["program." + std::string(name)] = [name] { return make_program_target(name, "", ""); };
     out["expression.fanuc"] = [] {
       return make_program_target("fanuc", "G21 G90\n#1=1\n#2=2.5\n#3=", "\nG0 X#3\nM30\n");
@@ -36,11 +33,6 @@ const std::map<std::string, Make>& targets() {
   }();
   return all;
 }
-
-class Unheard : public DiagnosticSink {
- public:
-  void add(Diagnostic) override {}
-};
 
 }  // namespace
 
@@ -60,31 +52,55 @@ void fail(const std::string& promise) {
   std::abort();
 }
 
-Workspace& workspace() {
-  static Unheard unheard;
-  static Workspace& all = *std::make_unique<Workspace>(NamedFolders{}, ISOGLOSS_HOME, unheard).release();
-  return all;
-}
-
-const LinkedDialect& dialect(const std::string& name) {
-  static auto& linked = *std::make_unique<std::map<std::string, std::unique_ptr<LinkedDialect>>>().release();
-  std::unique_ptr<LinkedDialect>& out = linked[name];
-  DiagnosticList said;
-  if (out == nullptr) out = workspace().link(name, {}, said);
-  if (out == nullptr) fail("the dialect " + name + " links" + (said.all.empty() ? "" : ": " + said.all[0].message));
-  return *out;
-}
-
-std::vector<std::string> texts_of_files(const std::string& below, const std::string& ending) {
-  constexpr std::uintmax_t most_bytes = 1u << 16;
-  std::vector<std::string> out;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ISOGLOSS_SOURCE) / below)) {
-    if (!entry.is_regular_file() || entry.file_size() > most_bytes) continue;
-    if (!entry.path().filename().string().ends_with(ending)) continue;
-    std::ifstream in(entry.path(), std::ios::binary);
-    out.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+void add_words(std::string_view text, std::set<std::string>& out) {
+  constexpr std::string_view joining = "_$#@.";
+  constexpr std::size_t fewest = 2, most = 40;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    if (i < text.size() &&
+        (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || joining.find(text[i]) != joining.npos))
+      continue;
+    if (i - begin >= fewest && i - begin <= most) out.emplace(text.substr(begin, i - begin));
+    begin = i + 1;
   }
-  return out;
+}
+
+std::vector<std::string> declared_names() {
+  workspace().library().load_all();
+  std::set<std::string> out;
+  const auto add = [&](const char* text) { add_words(text == nullptr ? "" : text, out); };
+  for (const LoadedPlugin& loaded : workspace().library().plugins()) {
+    const ig_plugin& plugin = *loaded.plugin;
+    add(plugin.name);
+    for (std::uint32_t i = 0; i < plugin.syntax_count; ++i) {
+      const ig_syntax& syntax = *plugin.syntaxes[i];
+      add(syntax.id);
+      for (std::uint32_t o = 0; o < syntax.option_count; ++o)
+        for (const char* const text : {syntax.options[o].name, syntax.options[o].fallback, syntax.options[o].choices})
+          add(text);
+    }
+    for (std::uint32_t i = 0; i < plugin.dependency_count; ++i) {
+      const ig_dependency& table = *plugin.dependencies[i];
+      for (const char* const text : {table.id, table.row_element, table.row_key}) add(text);
+      for (std::uint32_t c = 0; c < table.column_count; ++c) add(table.columns[c].name);
+    }
+    for (std::uint32_t i = 0; i < plugin.importer_count; ++i) add(plugin.importers[i]->id);
+  }
+  return {out.begin(), out.end()};
+}
+
+std::vector<std::string> dictionary(const Target& target) {
+  std::set<std::string> out;
+  for (const std::string& word : target.words()) out.insert(word);
+  std::map<std::string, int> samples_with;
+  for (const std::string& sample : target.samples()) {
+    std::set<std::string> words;
+    add_words(sample, words);
+    for (const std::string& word : words) ++samples_with[word];
+  }
+  for (const auto& [word, count] : samples_with)
+    if (count > 1) out.insert(word);
+  return {out.begin(), out.end()};
 }
 
 void expect_no_internal_fault(const std::vector<Diagnostic>& said) {

@@ -4,14 +4,19 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "isogloss/engine/exporter.hpp"
-#include "workspace.hpp"
+#include "product.hpp"
 
 namespace isogloss::fuzz {
+
+using product::dialect;
+using product::TextOutput;
+using product::texts_of_files;
+using product::workspace;
 
 class Target {
  public:
@@ -19,6 +24,8 @@ class Target {
   virtual void run(std::string_view bytes) = 0;
   /// From programs, pages and files of this project; further ones stand in corpus/NAME.
   virtual std::vector<std::string> samples() const = 0;
+  /// Names that the plugins declare for such inputs, in any order; the samples need not hold them.
+  virtual std::vector<std::string> words() const { return {}; }
   /// Inputs that were not refused at the first look. Where no sample is among them, the target tests nothing.
   std::uint64_t accepted() const { return accepted_; }
 
@@ -29,28 +36,19 @@ class Target {
   std::uint64_t accepted_ = 0;
 };
 
-/// By name; null: there is none. Dictionaries stand in NAME.dict, or in that of the part before the dot.
+/// By name; null: there is none.
 std::unique_ptr<Target> make_target(const std::string& name);
 std::vector<std::string> target_names();
+/// What a fuzzer inserts into inputs: the words of the target, and those that several of its samples hold.
+std::vector<std::string> dictionary(const Target& target);
 
 /// Ends the process: the input breaks this promise.
 [[noreturn]] void fail(const std::string& promise);
 
-/// The workspace of the build tree, with all its plugins. One for the process.
-Workspace& workspace();
-/// A dialect without tables of the user.
-const LinkedDialect& dialect(const std::string& name);
-/// All files of the project's tree whose names end so, up to 64 KiB each.
-std::vector<std::string> texts_of_files(const std::string& below, const std::string& ending);
-
-class TextOutput : public Output {
- public:
-  bool write(std::string_view bytes) override {
-    text.append(bytes);
-    return true;
-  }
-  std::string text;
-};
+/// The parts of a text between blanks and signs: names and codes, from two to 40 bytes.
+void add_words(std::string_view text, std::set<std::string>& out);
+/// Names of syntaxes, tables, importers, options, rows and columns that the plugins declare.
+std::vector<std::string> declared_names();
 
 /// Faults of plugins and of the host are none of the input: a diagnostic that tells of one breaks a promise.
 void expect_no_internal_fault(const std::vector<Diagnostic>& said);

@@ -33,7 +33,7 @@ class CanonicalExporter : public Exporter {
     kinematics_ = static_cast<const ig_machine_kinematics_1*>(service);
     tool_length_ = initial.layout().id("ToolHeightCompensation.Offset_mm");
     at_ = {};
-    has_ended_ = false;
+    has_ended_ = has_speed_ = false;
     blocks_.begin();
   }
   bool block(Document& document, const SymbolTable& symbols) override {
@@ -52,7 +52,11 @@ class CanonicalExporter : public Exporter {
   void tool(std::int64_t id) { blocks_.write("tool", {{"TOOL", static_cast<double>(id)}}); }
   void spindle(std::string_view direction, bool has_speed, double rpm) {
     Values values;
-    if (has_speed) values.push_back({"SPEED", rpm});
+    if (has_speed)
+      values.push_back({"SPEED", rpm});
+    else if (has_speed_ && direction != "STOP")
+      blocks_.report("IG-0623", {});
+    has_speed_ = has_speed_ || has_speed;
     blocks_.write("spindle", values, direction);
   }
   void coolant(std::string_view mode) { blocks_.write("coolant", {}, mode); }
@@ -252,6 +256,7 @@ class CanonicalExporter : public Exporter {
   ig_field tool_length_ = IG_NO_FIELD;
   AxisPoint at_;  // where the reader of the blocks stands
   bool has_ended_ = false;
+  bool has_speed_ = false;  // a block has written one
 };
 
 }  // namespace

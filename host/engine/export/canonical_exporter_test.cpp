@@ -79,3 +79,16 @@ TEST_CASE("what a canonical block cannot say is reported at its line") {
   CHECK(c.written() == "begin\nfile part.nc\n1 go x20. y30. z0. at 300.\n2 go x1. y2. z3.\nstop\nover\n");
   CHECK(c.codes() == Codes{"IG-0192:1", "IG-0190:2", "IG-0193:3"});
 }
+
+TEST_CASE("a spindle that starts at an unknown speed is reported where a block before it has written one") {
+  Canonical c;
+  const std::string speed = "SpindleSpeed.SpindleSpeed_rpm";
+  c.block(1, [&] { c.t.name("SpindleControl.Direction", "CW"); });
+  c.block(2, [&] { c.t.number(speed, 1000); });
+  c.block(3, [&] {
+    c.t.name("SpindleControl.Direction", "CCW");
+    c.t.d.erase(c.t.layout.id(speed));
+  });
+  static_cast<void>(c.written());
+  CHECK(c.codes() == Codes{"IG-0193:1", "IG-0193:2", "IG-0623:3", "IG-0193:3"});
+}

@@ -284,6 +284,11 @@ std::vector<DiagnosticInfo> dialect_diagnostics() {
        "The table ProgramText of the dialect in which the program is written (iso) has no row of that name. Give one "
        "by --machine: <ProgramText><Block name=\"coolant THROUGH\" text=\"[N{LINE} ]M88\"/></ProgramText>.",
        "coolant through the spindle, which no ISO code selects alike on all controls"},
+      {warning, "IG-0623",
+       "the spindle speed is not known here: its canonical block has no S, and the S before it stays",
+       "After G96 with S in metres per minute, the speed depends on a diameter that the run does not know. A control "
+       "that reads the canonical program turns the spindle at the speed of an earlier block.",
+       "G97 S1000 M03, then G96 S100 M03"},
       {error, "IG-0194", "the dialect {0} does not say how {1} are written: its ProgramText has no rows for them",
        "The words of a program are rows of the table ProgramText of the dialect. Where it has none, nothing can be "
        "written.",

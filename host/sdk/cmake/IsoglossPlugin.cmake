@@ -53,6 +53,7 @@ function(isogloss_add_plugin name)
     message(FATAL_ERROR "isogloss_add_plugin(${name}): LANGUAGE is C or CXX, not ${arg_LANGUAGE}")
   endif()
   set_property(GLOBAL PROPERTY ISOGLOSS_BUILDS_PLUGINS TRUE)
+  set_property(GLOBAL APPEND PROPERTY ISOGLOSS_PLUGINS ${name})
   if(NOT arg_SOURCES)
     file(GLOB_RECURSE arg_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.${extension})
     list(FILTER arg_SOURCES EXCLUDE REGEX "_test\\.${extension}$")
@@ -85,7 +86,11 @@ function(isogloss_add_plugin name)
   # Hidden visibility still lets templates of libstdc++ out; the version script does not.
   add_library(${name} MODULE)
   target_link_libraries(${name} PRIVATE ${name}_objects)
-  target_link_options(${name} PRIVATE -Wl,-z,defs -Wl,-z,now -Wl,--version-script=${tools}/plugin.map)
+  target_link_options(${name} PRIVATE -Wl,-z,now -Wl,--version-script=${tools}/plugin.map)
+  # What the sanitizers of clang call is in the executable alone.
+  if(NOT ISOGLOSS_SANITIZE OR NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    target_link_options(${name} PRIVATE -Wl,-z,defs)
+  endif()
   set_target_properties(
     ${name} PROPERTIES PREFIX "" SUFFIX ".so" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plugins
                        LINKER_LANGUAGE ${language} LINK_DEPENDS ${tools}/plugin.map)

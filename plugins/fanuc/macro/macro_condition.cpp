@@ -83,7 +83,10 @@ void MacroExecution::execute_if(ig::Block& b, std::string_view text, std::size_t
   std::size_t behind = 0;
   const Word next = is_letter(at(text, after)) ? keyword_or_short(text, after, behind) : Word::none;
   if (next == Word::go_to) {
-    if (*holds) execute_go_to(b, text, after, behind, true);
+    if (*holds) return execute_go_to(b, text, after, behind, true);
+    // A jump that is not executed is read all the same, as far as it is a number.
+    const std::size_t target = skip_blanks(text, behind), end = skip_while(text, target, is_digit);
+    if (end != target && at(text, end) != '.') ends(b, text, end);
     return;
   }
   if (next != Word::then) {

@@ -111,14 +111,16 @@ struct KlartextFrameCycle {
         if (part > 0) frame_.mirror(b, text, number.end, where, part == 1 ? Mirroring::anew : Mirroring::further);
         return;
       case 9:
-        if (part > 0) dwell(b, text_.number_behind(b, text, number.end), number.end, text.size(), "CYCL DEF 9");
+        if (part > 0) dwell_cycle(b, text, number.end);
         return;
       case 10:
         if (part > 0) rotate(b, text, number.end, where, "CYCL DEF 10");
         return;
       case 11:
+        if (part > 0 && scales(b, text, number.end, "CYCL DEF 11")) report("positions are not scaled");
+        return;
       case 26:
-        if (part > 0 && scales(b, text, number.end)) report("positions are not scaled");
+        if (part > 0 && scales_axes(b, text, number.end)) report("positions are not scaled");
         return;
       case 13:
         if (part > 0) machine("the spindle is not oriented");
@@ -136,8 +138,8 @@ struct KlartextFrameCycle {
       case 892: return machine("the unbalance is not measured");
       case 247: return preset(b, text, number, where);
       // 14, 20, 270, 271, 285: contours and gears, which are reported where they are machined; 32, 332, 392: accuracy
-      // and speed of the path; 801: the end of 800
-      default: return;
+      // and speed of the path; 801: the end of 800. Their parameters are assigned, as those of all cycles.
+      default: text_.parameters(b, text, number.end, number.cycle, [](std::uint32_t, double) {}); return;
     }
   }
 
@@ -181,11 +183,40 @@ struct KlartextFrameCycle {
       frame_.turn_further(b, where, v.number);
     else
       frame_.turn(b, where, v.number + 0.0);
+    if (v.ok) end_here(b, text, v.end, of);
   }
 
-  bool scales(ig::Block& b, std::string_view text, std::size_t i) const {
+  void dwell_cycle(ig::Block& b, std::string_view text, std::size_t i) const {
+    const Value seconds = text_.number_behind(b, text, i);
+    dwell(b, seconds, i, text.size(), "CYCL DEF 9");
+    if (seconds.ok) end_here(b, text, seconds.end, "CYCL DEF 9");
+  }
+
+  bool scales(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) const {
     const Value v = text_.number_behind(b, text, i);
+    if (v.ok && v.number == 1) end_here(b, text, v.end, of);
     return !v.ok || v.number != 1;
+  }
+
+  /// CYCL DEF 26.1 X1 Y0.99 CCX+15 CCY+20: a factor for each axis, and the centre.
+  bool scales_axes(ig::Block& b, std::string_view text, std::size_t i) const {
+    bool any = false;
+    while ((i = skip(text, i)) < text.size()) {
+      const std::size_t name = letters_end(text, i);
+      const Value v = name != i ? text_.values().read(b, text, name) : Value{};
+      if (!v.ok) {
+        report_not_a_word(b, text, i, "CYCL DEF 26");
+        return true;
+      }
+      any = any || (name == i + 1 && v.number != 1);
+      i = v.end;
+    }
+    return any;
+  }
+
+  /// Reports what stands behind the last word of a statement.
+  static void end_here(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) {
+    if (const std::size_t rest = skip(text, i); rest < text.size()) report_without_meaning(b, text, rest, of);
   }
 
   /// TRANS MIRROR AXIS X, TRANS ROTATION ROT+90, TRANS SCALE SCL1 and their RESET: like cycles 8, 10 and 11.
@@ -200,11 +231,16 @@ struct KlartextFrameCycle {
     const std::size_t first = skip(text, std::max({mirrored, turned, scaled}));
     const std::size_t reset = keyword(text, first, "RESET"), axis = keyword(text, first, "AXIS");
     if (scaled != begin) {
-      if (reset == first && scales(b, text, first)) report_not_executed(b, text, begin, "positions are not scaled");
+      if (reset != first)
+        end_here(b, text, reset, "TRANS SCALE RESET");
+      else if (scales(b, text, first, "TRANS SCALE"))
+        report_not_executed(b, text, begin, "positions are not scaled");
     } else if (mirrored != begin) {
       frame_.mirror(b, text, reset != first ? end : axis, where, Mirroring::anew);
+      if (reset != first) end_here(b, text, reset, "TRANS MIRROR RESET");
     } else if (reset != first) {
       frame_.turn(b, where, 0);
+      end_here(b, text, reset, "TRANS ROTATION RESET");
     } else {
       rotate(b, text, first, where, "TRANS ROTATION");
     }
@@ -223,6 +259,7 @@ struct KlartextFrameCycle {
     } else if (reset != i) {
       put_code(b, datum_.code(0), begin, reset);
       for (std::size_t k = 0; k < 6; ++k) put_word(b, datum_.row(0)[k], begin, reset, 0);
+      end_here(b, text, reset, "TRANS DATUM RESET");
     } else {
       report_not_executed(b, text, begin, "AXIS, TABLE or RESET is missing, the shift stays");
     }

@@ -1,5 +1,9 @@
 // Q parameters: FN 0 to FN 8 and FN 13 assign, FN 9 to FN 12 jump to a label, FN 18 reads, Q1 = … is a formula. The
 // scanner reads the statement as a whole; build() executes it, after everything before it in the block.
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+
 #include "cycles/cycle_text.hpp"
 #include "language/block_words.hpp"
 #include "language/fn_arithmetic.hpp"
@@ -147,7 +151,10 @@ struct KlartextParameter {
     // Reported once for each datum that FN 18 reads, and once for each of the other functions.
     QStore* const store = cycle_.values().store();
     const std::size_t equals = number == 18 ? whole.find('=') : std::string_view::npos;
-    const std::string_view kind = equals == std::string_view::npos ? whole.substr(0, i - begin_) : whole.substr(equals);
+    std::string kind = std::to_string(number);
+    if (equals != std::string_view::npos)
+      std::copy_if(whole.begin() + static_cast<std::ptrdiff_t>(equals), whole.end(), std::back_inserter(kind),
+                   [](char c) { return !is_space(c); });
     if (store != nullptr && !store->is_first_time(117, kind)) return;
     b.report(ig::diag("HEI-0117"), where_of_line(text, begin_), double(number), effect_of(number));
   }

@@ -174,15 +174,16 @@ std::size_t MFunctions::execute(ig::Block& b, const Values& values, std::string_
 }
 
 std::size_t MFunctions::reduce(ig::Block& b, std::string_view text, const Function& m) const {
-  const std::size_t rest = behind_words(text, m.end, false);
-  const std::size_t named = std::string_view("ABC").find(to_upper(at(text, skip(text, m.end))));
+  const std::size_t axis_word = skip(text, m.end);
+  const bool is_letter_alone = word_end(text, axis_word) == axis_word + 1;
+  const std::size_t named = is_letter_alone ? std::string_view("ABC").find(to_upper(at(text, axis_word))) : 3;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if ((named > 2 || named == axis) && axes_.has(axis) && axes_.rollover(axis) == Rollover::counts_on) {
       b.report(ig::diag("HEI-0139"), ig::Where::columns(m.begin, m.end), std::string_view("M94"),
                std::string_view("the rotary axes keep what they have counted beyond 360"));
       break;
     }
-  return rest;
+  return named > 2 ? m.end : axis_word + 1;
 }
 
 void MFunctions::name_datum(ig::Block& b, const Values& values, const Function& m) const {

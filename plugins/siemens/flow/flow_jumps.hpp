@@ -63,7 +63,7 @@ class Jumps {
     for (;;) {
       const std::size_t other = find_word(text, position, "IF");
       if (holds) return go(b, text.substr(0, other), position);
-      if (other == text.size()) return;
+      if (other == text.size()) return read_only(b, text, position);
       Expression e(b, environment_, text, other + 2);
       const auto condition = e.truth();
       if (!condition) return;
@@ -108,6 +108,7 @@ class Jumps {
       }
       const std::size_t label = skip_blanks(text, behind), end = skip_name(text, label);
       if (matches) {
+        if (is_default && !ends(b, text, end)) return;
         note_case(b, piece(text, behind_case, e.position()), is_default, *value);
         return go(b, text.substr(0, end), next);
       }
@@ -119,6 +120,12 @@ class Jumps {
   }
 
  private:
+  /// Of a jump whose condition does not hold: what stands behind a plain label is reported all the same.
+  static void read_only(ig::Block& b, std::string_view text, std::size_t position) {
+    const std::size_t label = skip_blanks(text, skip_name(text, position)), end = skip_name(text, label);
+    const char next = at(text, skip_blanks(text, end));
+    if (end != label && next != '<' && next != '[' && next != '(') ends(b, text, end);
+  }
   static std::string shown_case(std::string_view expression, double value) {
     return std::string(trim(expression)).append(" is ").append(shown_number(value));
   }

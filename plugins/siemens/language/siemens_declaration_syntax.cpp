@@ -1,4 +1,6 @@
 // DEF, DEFINE, PROC, EXTERN: variables of the program, names for texts, and the parameters that a call passes.
+#include <algorithm>
+
 #include "language/array_values.hpp"
 #include "language/declared_type.hpp"
 #include "language/declared_value.hpp"
@@ -186,9 +188,28 @@ struct SiemensDeclaration {
   void begin_program(ig::Block& b, std::string_view text) {
     const std::size_t name = skip_blanks(text, behind_), end = skip_name(text, name);
     b.set_text(program_, piece(text, name, end));
-    if (!parameters_.define(b, text, skip_blanks(text, end))) return;
-    for (std::size_t next = 0; next < text.size(); next = std::max(skip_name(text, next), next + 1))
-      if (is_word(text, next, "SAVE")) b.raise(saves_);
+    const std::size_t open = skip_blanks(text, end);
+    if (!parameters_.define(b, text, open)) return;
+    std::size_t next = at(text, open) == '(' ? skip_bracketed(text, open) : open;
+    while ((next = skip_blanks(text, next)) < text.size()) {
+      const std::size_t begin = next;
+      next = skip_name(text, begin);
+      const std::string_view word = piece(text, begin, next);
+      if (equals_ignoring_case(word, "SAVE")) {
+        b.raise(saves_);
+      } else if (!is_attribute(word)) {
+        b.report(ig::diag("SIE-0162"), columns(text, begin), text.substr(begin));
+        return;
+      }
+    }
+  }
+
+  /// Of a program: what the control shows and where it may stop, which changes no motion.
+  static bool is_attribute(std::string_view word) {
+    constexpr std::string_view known[] = {"ACTBLOCNO", "DISPLOF", "DISPLON", "ICYCOF",
+                                          "ICYCON",    "PREPRO",  "SBLOF",   "SBLON"};
+    return std::any_of(std::begin(known), std::end(known),
+                       [&](std::string_view name) { return equals_ignoring_case(word, name); });
   }
 
   ProgramParameters parameters_{environment_};

@@ -1,0 +1,31 @@
+/// What holds of every program.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "program.hpp"
+
+namespace isogloss::properties {
+
+struct Verdict {
+  bool was_tried = false;  ///< the program has something to try the property on
+  std::string fault;       ///< empty: the property holds
+};
+
+struct Property {
+  const char* name;
+  int cases;  ///< for each dialect, without sanitizers
+  Verdict (*judge)(const Case& program);
+};
+
+// One for each file *_property.cpp.
+Verdict judge_bytes(const Case& program);
+Verdict judge_foreign_words(const Case& program);
+Verdict judge_blanks(const Case& program);
+Verdict judge_order(const Case& program);
+Verdict judge_numbers(const Case& program);
+Verdict judge_canonical(const Case& program);
+Verdict judge_halves(const Case& program);
+
+}  // namespace isogloss::properties
