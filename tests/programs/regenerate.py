@@ -22,12 +22,18 @@ from golden_programs import dialect_of, golden_files  # noqa: E402: it lies in a
 HERE = pathlib.Path(__file__).resolve().parent
 
 
-def results(isogloss, program, *more):
-    """{expectation file: text} of one run."""
+def command_of(isogloss, program, *more):
+    """The command that the expectations are of; it runs in the program's folder."""
     arguments = program.with_suffix(".args")
     extra = shlex.split(arguments.read_text()) if arguments.exists() else []
-    run = subprocess.run([isogloss, "run", program.name, "-d", dialect_of(program), "--checked", "--emit", "motions",
-                          "--format", "csv", *more, *extra], cwd=program.parent, capture_output=True, text=True, timeout=60, check=False)
+    return [isogloss, "run", program.name, "-d", dialect_of(program), "--checked", "--emit", "motions", "--format", "csv",
+            *more, *extra]
+
+
+def results(isogloss, program, *more):
+    """{expectation file: text} of one run."""
+    run = subprocess.run(command_of(isogloss, program, *more), cwd=program.parent, capture_output=True, text=True,
+                         timeout=60, check=False)
     if run.returncode not in (0, 1):
         raise RuntimeError(f"exit status {run.returncode}\n{run.stderr}")
     said = [line for line in run.stderr.splitlines(True) if ".xml:" not in line]  # the dialect has tests of its own
