@@ -188,7 +188,9 @@ class Validate(unittest.TestCase):
             with self.subTest(fault):
                 # A race between threads is seen when the machine lets both run at once, so it has several tries.
                 for _ in range(10 if check == "threads" else 1):
-                    status, checks = self.checks(faulty(fault), "--only", check, *LIMITS)
+                    # A busy machine takes long for what grows with the square of the text, and is not to call it a hang.
+                    limits = ["--call-limit", "10", *LIMITS[2:]] if fault == "scan_reads_rest" else LIMITS
+                    status, checks = self.checks(faulty(fault), "--only", check, *limits)
                     found = [c for c in checks if c["Name"] == check][0]
                     if found["Result"] == "failed":
                         break
