@@ -59,8 +59,6 @@ class Motions(unittest.TestCase):
             for form in ("csv", "jsonl", "text"):
                 direct = isogloss(*run, "--format", form, "--exact", status=None, cwd=program.parent).stdout
                 read = isogloss("motions", "-", "--format", form, "--exact", given=stream).stdout
-                if form == "text" and direct.count(b"\n") <= 2:
-                    direct = b""  # a stream without events names no program, so its table has no title
                 self.assertEqual(read, direct, f"{program} as {form}")
             count += len(stream) > HEADER
         self.assertGreater(count, 20 / OPTIONS.every)

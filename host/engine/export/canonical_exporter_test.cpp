@@ -83,10 +83,10 @@ TEST_CASE("what a canonical block cannot say is reported at its line") {
 TEST_CASE("a spindle that starts at an unknown speed is reported where a block before it has written one") {
   Canonical c;
   const std::string speed = "SpindleSpeed.SpindleSpeed_rpm";
-  c.block(1, [&] { c.t.name("SpindleControl.Direction", "CW"); });
+  c.block(1, [&] { c.t.name("SpindleSpeed.Direction", "CW"); });
   c.block(2, [&] { c.t.number(speed, 1000); });
   c.block(3, [&] {
-    c.t.name("SpindleControl.Direction", "CCW");
+    c.t.name("SpindleSpeed.Direction", "CCW");
     c.t.d.erase(c.t.layout.id(speed));
   });
   static_cast<void>(c.written());

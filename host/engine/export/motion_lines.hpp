@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "export/motion_reader.hpp"
@@ -309,17 +310,14 @@ class CsvLines : public EventLines {
   RepeatedNumber<exact> feed_;
 };
 
-/// Columns for people; a title where the file changes.
+/// Columns for people; a title where an event is of another file than the one before it.
 class TextLines : public EventLines {
  public:
   TextLines(Output& output, bool exact) : EventLines(output), exact_(exact) {}
 
   void header(const MotionOptions&) {}
   void block(const BlockSource& source) {
-    if (!enter(source)) return;
-    prefix_ = "known";
-    buffer_.append(fmt::format("{}\n{:>6}  {:<8}{:>11}{:>11}{:>11}  {:>11}{:>11}{:>11}{:>10}\n", printable(file()),
-                               "line", "event", "program X", "Y", "Z", "machine X", "Y", "Z", "mm/min"));
+    if (enter(source)) prefix_ = "known";
   }
 
   void move(const Move& m) {
@@ -349,8 +347,15 @@ class TextLines : public EventLines {
 
  private:
   bool exact_;
+  std::optional<std::string> titled_;  // the file that the last title names
 
+  void title() {
+    titled_ = file();
+    buffer_.append(fmt::format("{}\n{:>6}  {:<8}{:>11}{:>11}{:>11}  {:>11}{:>11}{:>11}{:>10}\n", printable(file()),
+                               "line", "event", "program X", "Y", "Z", "machine X", "Y", "Z", "mm/min"));
+  }
   void write(std::string line) {
+    if (titled_ != file()) title();
     line.erase(line.find_last_not_of(' ') + 1);
     buffer_.append(fmt::format("{:>6}  {}\n", line_, line));
   }
