@@ -198,17 +198,18 @@ struct KlartextFrameCycle {
     return !v.ok || v.number != 1;
   }
 
-  /// CYCL DEF 26.1 X1 Y0.99 CCX+15 CCY+20: a factor for each axis, and the centre.
+  /// CYCL DEF 26.1 X1 YQ2 CCX+15 CCY+20: a factor for each axis, and the centre.
   bool scales_axes(ig::Block& b, std::string_view text, std::size_t i) const {
     bool any = false;
     while ((i = skip(text, i)) < text.size()) {
-      const std::size_t name = letters_end(text, i);
-      const Value v = name != i ? text_.values().read(b, text, name) : Value{};
+      const bool is_centre = equals_ignoring_case(piece(text, i, std::min(i + 2, text.size())), "CC");
+      const std::size_t name = is_letter(text[i]) ? i + (is_centre ? 3 : 1) : i;
+      const Value v = name != i && name < text.size() ? text_.values().read(b, text, name) : Value{};
       if (!v.ok) {
         report_not_a_word(b, text, i, "CYCL DEF 26");
         return true;
       }
-      any = any || (name == i + 1 && v.number != 1);
+      any = any || (!is_centre && v.number != 1);
       i = v.end;
     }
     return any;

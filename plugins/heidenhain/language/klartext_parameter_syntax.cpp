@@ -1,7 +1,6 @@
 // Q parameters: FN 0 to FN 8 and FN 13 assign, FN 9 to FN 12 jump to a label, FN 18 reads, Q1 = … is a formula. The
 // scanner reads the statement as a whole; build() executes it, after everything before it in the block.
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 
 #include "cycles/cycle_text.hpp"
