@@ -11,40 +11,17 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <fstream>
 #include <list>
 #include <optional>
+
+#include "noted_signals.hpp"
 
 namespace isogloss::cli::batch {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-volatile std::sig_atomic_t signal_to_end = 0;
-void note_signal(int number) { signal_to_end = number; }
-
-/// SIGINT and SIGTERM end the work between two children, and are as before afterwards.
-class EndedBySignals {
- public:
-  EndedBySignals() {
-    signal_to_end = 0;
-    struct sigaction action {};
-    action.sa_handler = note_signal;
-    ::sigaction(SIGINT, &action, &before_[0]);
-    ::sigaction(SIGTERM, &action, &before_[1]);
-  }
-  ~EndedBySignals() {
-    ::sigaction(SIGINT, &before_[0], nullptr);
-    ::sigaction(SIGTERM, &before_[1], nullptr);
-  }
-  EndedBySignals(const EndedBySignals&) = delete;
-  EndedBySignals& operator=(const EndedBySignals&) = delete;
-
- private:
-  struct sigaction before_[2];
-};
 
 struct Child {
   pid_t process = 0;
@@ -155,13 +132,13 @@ void hear_all(std::list<Child>& children, int milliseconds) {
 
 bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, const Ended& ended) {
   constexpr int tick_ms = 100;  // how exact the limits are
-  const EndedBySignals signals;
+  const NotedSignals signals;
   std::list<Child> children;
   std::optional<Child> waiting;  // that the system did not start beside the others
   std::vector<std::string> words;
   auto last_look = Clock::now();
   const auto fill = [&] {
-    while (signal_to_end == 0 && children.size() < most) {
+    while (NotedSignals::last() == 0 && children.size() < most) {
       if (!waiting) {
         waiting.emplace();
         words = next(waiting->work);
@@ -180,7 +157,7 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
     }
   };
   for (fill(); !children.empty(); fill()) {
-    if (signal_to_end != 0)
+    if (NotedSignals::last() != 0)
       for (const Child& child : children) ::kill(child.process, SIGKILL);
     hear_all(children, tick_ms);
     if (Clock::now() - last_look >= std::chrono::milliseconds(tick_ms)) {
@@ -193,11 +170,11 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
         continue;
       }
       wait_for(*child);
-      if (signal_to_end == 0) ended(child->work, std::move(child->end));
+      if (NotedSignals::last() == 0) ended(child->work, std::move(child->end));
       child = children.erase(child);
     }
   }
-  return signal_to_end == 0;
+  return NotedSignals::last() == 0;
 }
 
 void end_with_parent(std::uint64_t parent) {

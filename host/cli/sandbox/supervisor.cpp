@@ -11,12 +11,12 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <memory>
 
 #include "isogloss/engine/printable.hpp"
+#include "noted_signals.hpp"
 #include "sandbox/confinement.hpp"
 
 namespace isogloss::cli::sandbox {
@@ -28,32 +28,6 @@ using Clock = std::chrono::steady_clock;
 constexpr int tick_ms = 100;                           // how exact the limits are
 constexpr auto time_to_end = std::chrono::seconds(3);  // for whole lines, after a signal
 constexpr unsigned most_threads = 64;
-
-volatile std::sig_atomic_t forwarded_signal = 0;
-void keep_signal(int number) { forwarded_signal = number; }
-
-/// The signals that end a command are noted, and are as before afterwards. What is ignored stays ignored.
-class NotedSignals {
- public:
-  NotedSignals() {
-    forwarded_signal = 0;
-    struct sigaction action {};
-    action.sa_handler = keep_signal;
-    for (std::size_t i = 0; i < signals_.size(); ++i) {
-      ::sigaction(signals_[i], nullptr, &before_[i]);
-      if (before_[i].sa_handler != SIG_IGN) ::sigaction(signals_[i], &action, nullptr);
-    }
-  }
-  ~NotedSignals() {
-    for (std::size_t i = 0; i < signals_.size(); ++i) ::sigaction(signals_[i], &before_[i], nullptr);
-  }
-  NotedSignals(const NotedSignals&) = delete;
-  NotedSignals& operator=(const NotedSignals&) = delete;
-
- private:
-  static constexpr std::array signals_{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
-  std::array<struct sigaction, signals_.size()> before_{};
-};
 
 /// One pipe of the process, and where its bytes go on.
 class Relay {
@@ -111,7 +85,7 @@ class Relay {
       } else if (errno != EINTR) {
         if (errno != EPIPE) fault_ = std::strerror(errno);
         return close();
-      } else if (forwarded_signal != 0 && ++interruptions_ > 1) {
+      } else if (NotedSignals::last() != 0 && ++interruptions_ > 1) {
         return close();  // nobody reads, and somebody waits for the end
       }
     }
@@ -202,8 +176,8 @@ void Watch::end_by(End::How how, std::string why) {
 
 void Watch::hold() {
   const Clock::time_point now = Clock::now();
-  if (forwarded_signal != 0 && end_.signal == 0) {
-    end_.signal = forwarded_signal;
+  if (NotedSignals::last() != 0 && end_.signal == 0) {
+    end_.signal = NotedSignals::last();
     signalled_ = now;
     ::kill(process_, end_.signal);
   }

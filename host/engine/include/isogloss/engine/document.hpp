@@ -114,19 +114,15 @@ class Document {
     Bits& bits = bits_[f >> 6];
     if ((bits.watched & bit(f)) != 0) tell_watch(f, v);
     state_[f] = {v, written()};
-    bits.present |= bit(f);
-    bits.fresh |= bit(f);
-    bits.taken &= ~bit(f);
+    bits.write(bit(f));
     wake(f);
   }
   /// The same for several; ids outside the document are left out. Codes among them are counted as seen.
   void set_many(const ig_field* f, std::uint32_t count, const ig_value* v) {
     State* const state = state_.data();
     Bits* const bits = bits_.data();
-    const std::uint64_t* const wakes = wake_;
-    const std::uint32_t stride = wake_words_;
     const std::uint64_t place = written();
-    std::uint64_t low = active[0], high = active[1];
+    Waking waking(*this);
     for (std::uint32_t i = 0; i < count; ++i) {
       const ig_field field = f[i];
       if (field >= size_) continue;
@@ -134,18 +130,10 @@ class Document {
       const std::uint64_t mask = bit(field);
       if ((b.watched & mask) != 0) tell_watch(field, v[i]);
       state[field] = {v[i], place};
-      b.present |= mask;
-      b.fresh |= mask;
-      b.taken &= ~mask;
+      b.write(mask);
       codes_seen += static_cast<std::uint32_t>((b.codes & mask) != 0);
-      const std::uint64_t* const woken = wakes + std::size_t{field} * stride;
-      low |= woken[0];
-      high |= woken[1];
-      if ((woken[1] & wakes_beyond) != 0) [[unlikely]]
-        wake_far(woken);
+      waking.add(field);
     }
-    active[0] = low;
-    active[1] = high;
   }
   /// Their values; a bit for each that is present.
   std::uint32_t get_many(const ig_field* f, std::uint32_t count, ig_value* out) const {
@@ -222,9 +210,7 @@ class Document {
     state[0] = {{.number = point[0]}, place};
     state[1] = {{.number = point[1]}, place};
     state[2] = {{.number = point[2]}, place};
-    bits.present |= these;
-    bits.fresh |= these;
-    bits.taken &= ~these;
+    bits.write(these);
     wake_by(point_wake_ + std::size_t{x} * wake_words_);
   }
   void set_text(ig_field f, std::string_view text);
@@ -232,10 +218,9 @@ class Document {
   [[gnu::always_inline]] void set_words(const ig_word* w, std::uint32_t count) {
     State* const state = state_.data();
     Bits* const all = bits_.data();
-    const std::uint64_t* const wakes = wake_;
-    const std::uint32_t stride = wake_words_, size = size_;
+    const std::uint32_t size = size_;
     const std::uint64_t place = written();
-    std::uint64_t low = active[0], high = active[1];
+    Waking waking(*this);
     for (const ig_word* const end = w + count; w != end; ++w) {
       const ig_field f = w->field;
       if (f >= size) continue;
@@ -244,18 +229,10 @@ class Document {
       ig_value v = w->value;
       if ((bits.codes & mask) != 0) v.integer = ++codes_seen;
       state[f] = {v, place | std::uint64_t{w->end} << 16 | w->begin};
-      bits.present |= mask;
-      bits.fresh |= mask;
-      bits.taken &= ~mask;
+      bits.write(mask);
       bits.pointless = (bits.pointless & ~mask) | ((w->flags & IG_WORD_WITHOUT_POINT) != 0 ? mask : 0);
-      const std::uint64_t* const woken = wakes + std::size_t{f} * stride;
-      low |= woken[0];
-      high |= woken[1];
-      if ((woken[1] & wakes_beyond) != 0) [[unlikely]]
-        wake_far(woken);
+      waking.add(f);
     }
-    active[0] = low;
-    active[1] = high;
   }
   void set_word(const ig_word& w) { set_words(&w, 1); }
   void rewrite(ig_field f, ig_value v);
@@ -316,6 +293,11 @@ class Document {
   struct Bits {
     std::uint64_t present = 0, fresh = 0, taken = 0, pointless = 0;  // of this block
     std::uint64_t modal = 0, words = 0, codes = 0, watched = 0;      // what the fields are; words: codes, too
+    void write(std::uint64_t fields) {
+      present |= fields;
+      fresh |= fields;
+      taken &= ~fields;
+    }
   };
   const Bits& bits(std::uint32_t word) const { return bits_[word]; }
 
@@ -331,6 +313,31 @@ class Document {
   static constexpr std::uint64_t bit(ig_field f) { return std::uint64_t{1} << (f & 63); }
   /// The place of a value that is not a word of the text: the running syntax wrote it.
   std::uint64_t written() const { return std::uint64_t{current} << 32; }
+  /// Collects what several fields wake, so that it is stored once.
+  class Waking {
+   public:
+    explicit Waking(Document& d)
+        : d_(d), wakes_(d.wake_), stride_(d.wake_words_), low_(d.active[0]), high_(d.active[1]) {}
+    ~Waking() {
+      d_.active[0] = low_;
+      d_.active[1] = high_;
+    }
+    Waking(const Waking&) = delete;
+    Waking& operator=(const Waking&) = delete;
+    void add(ig_field f) {
+      const std::uint64_t* const woken = wakes_ + std::size_t{f} * stride_;
+      low_ |= woken[0];
+      high_ |= woken[1];
+      if ((woken[1] & wakes_beyond) != 0) [[unlikely]]
+        d_.wake_far(woken);
+    }
+
+   private:
+    Document& d_;
+    const std::uint64_t* wakes_;
+    std::uint32_t stride_;
+    std::uint64_t low_, high_;
+  };
   void wake(ig_field f) { wake_by(wake_ + std::size_t{f} * wake_words_); }
   void wake_by(const std::uint64_t* woken) {
     active[0] |= woken[0];

@@ -50,7 +50,6 @@ struct ListInfo {
   std::vector<FieldInfo> fields;
 };
 
-/// Record fields carry their list in the upper half: list_bit | list << 16 | index.
 /// The most syntaxes of a chain (IG-0216).
 inline constexpr std::size_t longest_chain = 1024;
 
@@ -66,6 +65,7 @@ constexpr std::uint32_t wake_words_for(std::size_t syntaxes) {
 }
 inline constexpr std::size_t most_wake_words = wake_words_for(longest_chain);
 
+/// Record fields carry their list in the upper half: list_bit | list << 16 | index.
 inline constexpr ig_field list_bit = 0x80000000u;
 constexpr ig_field record_field(std::size_t list, std::size_t index) {
   return list_bit | static_cast<ig_field>(list << 16) | static_cast<ig_field>(index);

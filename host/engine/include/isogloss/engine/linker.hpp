@@ -48,7 +48,7 @@ struct LinkedDialect {
   SymbolTable symbols;
   std::vector<LinkedSyntax> chain;  ///< in order; parsing first, inspection last
   std::vector<LinkedDependency> dependencies;
-  std::vector<std::uint64_t> wake;  ///< wake_words masks a field, then a list; bit 0 is the syntax at first_build
+  std::vector<std::uint64_t> wake;  ///< wake_words masks a field, then a list; each syntax has its wake_bit()
   std::uint32_t wake_words = 2;     ///< 2 to most_wake_words
   std::uint32_t first_build = 0;    ///< chain position; the scanners before it have no build() and are never awake
   std::vector<WakeWhile> wake_while;
