@@ -1,7 +1,7 @@
 // What libFuzzer calls: one target of isogloss_fuzz, guided by the coverage of the engine and of the plugins.
 //
 //   isogloss_fuzzer --target=NAME [option of libFuzzer]... [FOLDER]...
-//   isogloss_fuzzer --target=NAME --prepare=FOLDER    writes FOLDER/seeds and FOLDER/words.dict, and ends
+//   isogloss_fuzzer --target=NAME --prepare=FOLDER    writes FOLDER/samples and FOLDER/words.dict, and ends
 //   isogloss_fuzzer --list                            prints the names of the targets, and ends
 #include <cstdint>
 #include <cstdio>
@@ -42,10 +42,10 @@ std::string dictionary_line(std::string_view word) {
 }
 
 void prepare(const Target& target, const fs::path& folder) {
-  fs::create_directories(folder / "seeds");
+  fs::create_directories(folder / "samples");
   const std::vector<std::string> samples = target.samples();
   for (std::size_t i = 0; i < samples.size(); ++i)
-    std::ofstream(folder / "seeds" / std::to_string(i), std::ios::binary) << samples[i];
+    std::ofstream(folder / "samples" / std::to_string(i), std::ios::binary) << samples[i];
   std::ofstream words(folder / "words.dict", std::ios::binary);
   for (const std::string& word : dictionary(target)) words << dictionary_line(word);
 }
