@@ -96,11 +96,17 @@ class Cluster:
         node = self.processes.pop()
         node.kill()
         node.wait()
-        for process in self.found("slurmstepd") + self.workers():
-            try:
-                os.kill(process, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
+        # What slurmd has just forked becomes a slurmstepd after its end: one that lives on would tell the controller that
+        # its part has failed, which no lost node does.
+        quiet_since = time.monotonic()
+        while time.monotonic() - quiet_since < 0.5:
+            for process in self.found("slurmstepd") + self.found("slurmd", "-D") + self.workers():
+                try:
+                    os.kill(process, signal.SIGKILL)
+                    quiet_since = time.monotonic()
+                except (ProcessLookupError, PermissionError):
+                    pass
+            time.sleep(0.02)
         name = socket.gethostname().split(".")[0]
         self.ask("scontrol", "update", f"NodeName={name}", "State=DOWN", "Reason=lost")
         self.processes.append(self.start("slurmd", "-D"))
