@@ -172,7 +172,7 @@ struct Results {
 Results results_there(Examination& e, const std::string& where) {
   Results out;
   Subject subject(e);
-  out.page = reinterpret_cast<std::uintptr_t>(&subject.plugin()) / page_bytes;
+  out.page = reinterpret_cast<std::uintptr_t>(subject.plugin().name) / page_bytes;
   redirect(other_clocks, Redirected::libraries);
   redirect(other_memory, Redirected::libraries);
   redirect(other_variables, Redirected::libraries, e.file);
