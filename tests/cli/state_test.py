@@ -217,6 +217,12 @@ class State(unittest.TestCase):
         done = self.state(4, "--as-preamble", status=1, program="scale.nc")
         self.assertRegex(done.stderr, r"after the preamble Scaling\.Term is nothing.*\[IG-0196\]")
 
+    def test_a_modal_call_is_not_lost_where_its_macro_moves_to_where_the_tool_stands(self):
+        (self.path / "modal.nc").write_text("G21 G90 G54\nG66 P9100\nG00 X10. Y5.\nX30.\nG67\nX40.\nM30\nO9100\nG00 Z50.\nM99\n")
+        done = self.state(4, "--as-preamble", status=1, program="modal.nc")
+        self.assertIn("modal.nc:9: error: behind the preamble of line 4 this block moves differently", done.stderr)
+        self.assertEqual(done.stdout, "")
+
     def test_what_motions_do_not_show_is_a_warning(self):
         (self.path / "smooth.nc").write_text("G90 G94 G21\nG05.1 Q1\nG01 X20. F100.\nX30.\nM30\n")
         done = self.state(4, "--as-preamble", program="smooth.nc")

@@ -46,7 +46,8 @@ std::string motions_after(const LinkedDialect& linked, const std::string& text, 
                           std::uint64_t blocks_before, const RunOptions& options, DiagnosticSink& said,
                           ToolNames& tools) {
   MotionText out;
-  const std::unique_ptr<Exporter> motions = make_motion_exporter(out, {});
+  // A move to where the tool stands shows what is in force, such as the modal call of a macro.
+  const std::unique_ptr<Exporter> motions = make_motion_exporter(out, {.zero_moves = true});
   Tail tail(*motions, blocks_before);
   const std::unique_ptr<Source> source = memory_source(text);
   run(linked, *source, name, options, {&tail, &tools}, said);
