@@ -66,18 +66,30 @@ std::optional<Frame> Frame::inverse() const {
   return out;
 }
 
+Document::Fields& Document::Fields::operator=(const Fields& other) {
+  if (states.size() != other.states.size()) states = other.states;
+  bits = other.bits;
+  for (std::size_t k = 0; k < bits.size(); ++k) {
+    const Bits& b = bits[k];
+    for (std::uint64_t left = b.present | b.fresh | b.taken; left != 0; left &= left - 1) {
+      const std::size_t f = k * 64 + static_cast<std::size_t>(std::countr_zero(left));
+      states[f] = other.states[f];
+    }
+  }
+  return *this;
+}
+
 Document::Document(const Layout& layout, std::vector<std::uint64_t> wake, std::uint32_t wake_words)
     : layout_(&layout),
       size_(static_cast<std::uint32_t>(layout.fields.size())),
       words_((size_ + 63) / 64),
       wake_words_(wake_words),
       points_end_(size_ < 2 ? 0 : size_ - 2),
-      bits_(words_),
-      state_(size_),
+      fields_(words_, size_),
       frames_(layout.transforms.size()) {
   for (ig_field f = 0; f < size_; ++f) {
     const FieldInfo& info = layout.fields[f];
-    Bits& bits = bits_[f >> 6];
+    Bits& bits = fields_.bits[f >> 6];
     // Copies of `previous` fields are updated before the other values are dropped.
     if (info.life == IG_LIFE_FRAME && info.previous_of == IG_NO_FIELD) frame_fields_.push_back(f);
     if (is_carried(info.life) || info.previous_of != IG_NO_FIELD) bits.modal |= bit(f);
@@ -110,7 +122,7 @@ void Document::find_open_words(std::vector<std::uint64_t>& wake) {
   std::uint32_t open_end = 0;
   far_begin_ = 0;
   for (std::uint32_t w = 0; w < words_; ++w) {
-    if (bits_[w].words == 0) continue;
+    if (fields_.bits[w].words == 0) continue;
     if (open_end == 0) open_begin_ = w;
     open_end = w + 1;
     bool all_far = true;
@@ -152,7 +164,7 @@ void Document::wake_far(const std::uint64_t* woken) {
 }
 
 void Document::watch(ig_field f, std::uint64_t raised) {
-  bits_[f >> 6].watched |= bit(f);
+  fields_.bits[f >> 6].watched |= bit(f);
   for (Watcher& w : watchers_)
     if (w.field == f) {
       w.changes |= raised;
@@ -188,7 +200,7 @@ void Document::own_source() {
 
 bool Document::same_content(const Document& other) const {
   for (std::uint32_t w = 0; w < words_; ++w) {
-    const Bits &a = bits_[w], &b = other.bits_[w];
+    const Bits &a = fields_.bits[w], &b = other.fields_.bits[w];
     if (a.present != b.present || a.fresh != b.fresh || a.taken != b.taken) return false;
   }
   for (ig_field f = 0; f < size_; ++f)
@@ -214,14 +226,14 @@ void Document::set_text(ig_field f, std::string_view text) {
 }
 
 void Document::mark_pointless(ig_field f, bool pointless) {
-  Bits& bits = bits_[f >> 6];
+  Bits& bits = fields_.bits[f >> 6];
   bits.pointless = pointless ? bits.pointless | bit(f) : bits.pointless & ~bit(f);
 }
 
 void Document::rewrite(ig_field f, ig_value v) {
   if (!present(f)) return;
   if (is_watched(f)) tell_watch(f, v);
-  State& state = state_[f];
+  State& state = fields_.states[f];
   state.value = v;
   state.place = written() | (state.place & 0xffffffffu);
   mark_pointless(f, false);
@@ -229,16 +241,16 @@ void Document::rewrite(ig_field f, ig_value v) {
 
 void Document::move(ig_field from, ig_field to) {
   if (!present(from) || to >= size_) return;
-  const State moved = state_[from];
+  const State moved = fields_.states[from];
   set(to, moved.value);
-  state_[to].place = written() | (moved.place & 0xffffffffu);
+  fields_.states[to].place = written() | (moved.place & 0xffffffffu);
   mark_pointless(to, without_point(from));
   erase(from);
 }
 
 void Document::begin(const BlockSource& where) {
-  State* const state = state_.data();
-  Bits* const all = bits_.data();
+  State* const state = fields_.states.data();
+  Bits* const all = fields_.bits.data();
   for (const PreviousRun& run : previous_) {
     std::memcpy(state + run.to, state + run.from, run.count * sizeof(State));
     const std::uint64_t known = all[run.from >> 6].present >> (run.from & 63) & run.mask;
@@ -272,7 +284,8 @@ void Document::begin(const BlockSource& where) {
 
 void Document::get_frame_values(FrameValues& out) const {
   out.clear();
-  for (const ig_field f : frame_fields_) out.push_back(present(f) ? std::optional(state_[f].value) : std::nullopt);
+  for (const ig_field f : frame_fields_)
+    out.push_back(present(f) ? std::optional(fields_.states[f].value) : std::nullopt);
 }
 
 void Document::clear_frame_values() {
@@ -289,8 +302,8 @@ void Document::set_frame_values(const FrameValues& values) {
 bool Document::has_leftovers() const {
   if (!leftovers.empty()) return true;
   std::uint64_t open = 0;
-  const Bits* const end = bits_.data() + (has_far_words() ? far_end_ : far_begin_);
-  for (const Bits* bits = bits_.data() + open_begin_; bits != end; ++bits)
+  const Bits* const end = fields_.bits.data() + (has_far_words() ? far_end_ : far_begin_);
+  for (const Bits* bits = fields_.bits.data() + open_begin_; bits != end; ++bits)
     open |= bits->present & bits->words & ~bits->taken;
   return open != 0;
 }
@@ -310,7 +323,7 @@ std::vector<Leftover> Document::collect_leftovers() const {
   std::vector<Leftover> all = leftovers;
   constexpr std::string_view flags = "Parsing.Flags.", parsing = "Parsing.";
   for (std::uint32_t w = 0; w < words_; ++w) {
-    std::uint64_t open = bits_[w].present & bits_[w].words & ~bits_[w].taken;
+    std::uint64_t open = fields_.bits[w].present & fields_.bits[w].words & ~fields_.bits[w].taken;
     for (; open != 0; open &= open - 1) {
       const ig_field f = w * 64 + static_cast<ig_field>(__builtin_ctzll(open));
       std::string_view name = layout_->fields[f].path;
@@ -318,7 +331,7 @@ std::vector<Leftover> Document::collect_leftovers() const {
         name.remove_prefix(flags.size());
       else if (name.starts_with(parsing))
         name.remove_prefix(parsing.size());
-      const bool is_code = (bits_[w].codes & bit(f)) != 0;
+      const bool is_code = (fields_.bits[w].codes & bit(f)) != 0;
       all.push_back({is_code ? IG_LEFT_CODE : IG_LEFT_WORD, f, word_begin(f), word_end(f), std::string(name)});
     }
   }
@@ -331,7 +344,7 @@ void Document::set_frame(ig_field f, const Frame& frame) {
   const bool same = present(f) ? std::equal(std::begin(slot.matrix), std::end(slot.matrix), std::begin(frame.matrix))
                                : frame.kind == Frame::Kind::identity;
   slot = frame;
-  set(f, state_[f].value);
+  set(f, fields_.states[f].value);
   if (same) return;
   frame_changed = frame_moved = true;
   composed_valid_ = false;
@@ -341,7 +354,7 @@ void Document::move_frame(ig_field f, const double* matrix) {
   Frame& slot = frames_[frame_index(f)];
   slot.assign(matrix);
   slot.is_moving = true;
-  set(f, state_[f].value);
+  set(f, fields_.states[f].value);
   frame_moved = true;
   composed_valid_ = false;
 }

@@ -85,6 +85,7 @@ inline bool Cursor::find_end(std::size_t& size) {
 }
 
 bool Cursor::goes_on(std::string_view line) const {
+  if (line.find(segmenter_->continuation.back()) == std::string_view::npos) return false;
   const auto ends_in_mark = [&](std::string_view text) {
     const std::size_t last = text.find_last_not_of(" \t\r");
     return last != std::string_view::npos && text.substr(0, last + 1).ends_with(segmenter_->continuation);

@@ -33,9 +33,8 @@ struct KlartextLabel {
   ig::Name call_label_{"CALL LBL"}, call_program_{"CALL PGM"}, call_selected_{"CALL SELECTED PGM"};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
-    if (!stands_first(text, position)) return position;
     const auto found = statement_at(text, position);
-    if (!found) return position;
+    if (!found || !stands_first(text, position)) return position;
     const std::size_t end = statement_end(text, position);
     if (values_.is_indexing()) {
       if (found->kind == Kind::label) name_label(b, text, found->after, end);

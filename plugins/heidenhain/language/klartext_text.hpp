@@ -1,6 +1,7 @@
 /// The lexical rules of Klartext: what separates words, where a statement ends, keywords, numbers with a comma.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -57,6 +58,7 @@ constexpr bool is_end(std::string_view text, std::size_t position) {
 
 /// The end of the statement: the end of the block, or the comment that ends it. Text in quotes may hold a semicolon.
 constexpr std::size_t statement_end(std::string_view text, std::size_t position) {
+  if (text.find(';', position) == std::string_view::npos) return std::max(position, text.size());
   bool quoted = false;
   while (position < text.size()) {
     const char c = text[position];
@@ -144,11 +146,10 @@ constexpr std::string_view rest_of_line(std::string_view text, std::size_t posit
 
 /// An unsigned number at `position`, with a point or a comma before its fraction.
 inline ig::Decimal read_number(std::string_view text, std::size_t position) {
-  const std::size_t whole = skip_digits(text, position);
-  if (at(text, whole) != ',') {
-    if (at(text, position) == '-' || at(text, position) == '+') return {.end = position};
-    return ig::read_decimal(text, position);
-  }
+  if (at(text, position) == '-' || at(text, position) == '+') return {.end = position};
+  const ig::Decimal plain = ig::read_decimal(text, position);
+  const std::size_t whole = plain.end;
+  if (plain.has_point || at(text, whole) != ',') return plain;
   const std::size_t end = skip_digits(text, whole + 1);
   std::array<char, 64> copy{};
   if (end - position < copy.size()) {

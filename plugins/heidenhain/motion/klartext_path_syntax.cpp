@@ -84,7 +84,7 @@ struct KlartextPath {
   // ---- words
 
   std::size_t read(ig::Block& b, std::string_view text, std::size_t begin, Path& path) const {
-    std::size_t i = path.position;
+    std::size_t i = plain_positions(b, text, path);
     while (true) {
       i = skip(text, i);
       if (i >= path.end) break;
@@ -97,6 +97,28 @@ struct KlartextPath {
     }
     finish(b, begin, path);
     return path.end;
+  }
+
+  /// X+12.5 Y-3, with which most blocks begin, in one call of the host: where the first word of another kind begins.
+  std::size_t plain_positions(ig::Block& b, std::string_view text, Path& path) const {
+    std::array<ig_word, 6> words;
+    std::uint32_t count = 0;
+    unsigned seen = 0;
+    std::size_t i = path.position;
+    while (path.function < APPR && count < words.size()) {
+      const std::size_t begin = skip_blanks(text, i);
+      const std::size_t axis = axis_of(at(text, begin));
+      if (axis > 5 || (seen >> axis & 1u) != 0) break;
+      const ig::Decimal d = ig::read_decimal(text, begin + 1);
+      const char behind = at(text, d.end);
+      if (!d.ok || !(is_blank(behind) || behind == '\0')) break;
+      seen |= 1u << axis;
+      words[count++] = {axes_[axis], column(begin), column(d.end), {.number = d.value + 0.0}, 0, 0};
+      i = d.end;
+    }
+    if (count > 0) b.set_words(words.data(), count);
+    path.has_axis = count > 0;
+    return i;
   }
 
   std::size_t word_at(ig::Block& b, std::string_view text, std::size_t i, Path& path) const {

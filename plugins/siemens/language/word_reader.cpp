@@ -68,7 +68,21 @@ void WordReader::add(ig::Block& b, Run& run, ig_field field, std::size_t begin, 
   run.words[run.count++] = {field, column(begin), column(end), {.number = value + 0.0}, 0, 0};
 }
 
+std::size_t WordReader::plain_word(ig::Block& b, std::string_view text, std::size_t begin, Run& run) const {
+  const char c = to_upper(text[begin]);
+  if (!is_letter(c) || std::string_view("GLMNR").find(c) != std::string_view::npos) return begin;
+  const ig::Decimal n = ig::read_decimal(text, begin + 1);
+  if (!n.ok) return begin;
+  const char behind = at(text, n.end);
+  if (behind != '\0' && !is_blank(behind)) return begin;
+  if (!n.has_point && at(text, skip_blanks(text, n.end)) == '=') return begin;
+  word(b, run, std::string_view(&c, 1), fields_.letter(c), begin, n.end, n.value);
+  return n.end;
+}
+
 std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
+  if (!environment_.has_macros())
+    if (const std::size_t end = plain_word(b, text, begin, run); end != begin) return end;
   const char c = to_upper(text[begin]);
   const std::size_t second = begin + 1;
   const char d = at(text, second);
@@ -115,7 +129,8 @@ std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t be
 
 void WordReader::word(ig::Block& b, Run& run, std::string_view name, ig_field field, std::size_t begin, std::size_t end,
                       double value) const {
-  if (const auto axis = further_axis(name)) field = further_axes_.word(*axis).id();
+  if (axis_letters.find(name) == std::string_view::npos)
+    if (const auto axis = further_axis(name)) field = further_axes_.word(*axis).id();
   if (field == IG_NO_FIELD) {
     if (!defines_curve()) leave(b, IG_LEFT_WORD, name, begin, end);
   } else {

@@ -43,6 +43,9 @@ class WordReader {
   // ---- word_reader.cpp: which kind each word is, and words and codes that carry their number
 
   std::size_t item(ig::Block& b, std::string_view text, std::size_t begin, Run& run);
+  /// X12.5, as most words are: a letter, its number, and a blank or the end of the block. `begin`: the word is of
+  /// another kind.
+  std::size_t plain_word(ig::Block& b, std::string_view text, std::size_t begin, Run& run) const;
   void word(ig::Block& b, Run& run, std::string_view name, ig_field field, std::size_t begin, std::size_t end,
             double value) const;
   std::size_t code(ig::Block& b, std::string_view text, std::size_t begin, std::size_t number, Run& run);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -93,34 +94,34 @@ class Document {
   const Layout& layout() const { return *layout_; }
   /// As a syntax gets it: it begins with the view of the present values.
   ig_block* block() {
-    view_ = {reinterpret_cast<const ig_view_bits*>(bits_.data()), reinterpret_cast<const ig_view_value*>(state_.data()),
-             size_, 0};
+    view_ = {reinterpret_cast<const ig_view_bits*>(fields_.bits.data()),
+             reinterpret_cast<const ig_view_value*>(fields_.states.data()), size_, 0};
     return reinterpret_cast<ig_block*>(this);
   }
 
-  bool present(ig_field f) const { return f < size_ && (bits_[f >> 6].present >> (f & 63) & 1) != 0; }
-  bool fresh(ig_field f) const { return f < size_ && (bits_[f >> 6].fresh >> (f & 63) & 1) != 0; }
-  bool taken(ig_field f) const { return f < size_ && (bits_[f >> 6].taken >> (f & 63) & 1) != 0; }
-  bool without_point(ig_field f) const { return f < size_ && (bits_[f >> 6].pointless >> (f & 63) & 1) != 0; }
-  ig_value value(ig_field f) const { return state_[f].value; }
-  double number(ig_field f) const { return state_[f].value.number; }
-  std::uint16_t writer(ig_field f) const { return state_[f].writer(); }
+  bool present(ig_field f) const { return f < size_ && (fields_.bits[f >> 6].present >> (f & 63) & 1) != 0; }
+  bool fresh(ig_field f) const { return f < size_ && (fields_.bits[f >> 6].fresh >> (f & 63) & 1) != 0; }
+  bool taken(ig_field f) const { return f < size_ && (fields_.bits[f >> 6].taken >> (f & 63) & 1) != 0; }
+  bool without_point(ig_field f) const { return f < size_ && (fields_.bits[f >> 6].pointless >> (f & 63) & 1) != 0; }
+  ig_value value(ig_field f) const { return fields_.states[f].value; }
+  double number(ig_field f) const { return fields_.states[f].value.number; }
+  std::uint16_t writer(ig_field f) const { return fields_.states[f].writer(); }
   std::string_view text(ig_field f) const;
-  std::uint32_t word_begin(ig_field f) const { return state_[f].begin(); }
-  std::uint32_t word_end(ig_field f) const { return state_[f].end(); }
+  std::uint32_t word_begin(ig_field f) const { return fields_.states[f].begin(); }
+  std::uint32_t word_end(ig_field f) const { return fields_.states[f].end(); }
 
   /// Value, present, fresh, writer; wakes.
   void set(ig_field f, ig_value v) {
-    Bits& bits = bits_[f >> 6];
+    Bits& bits = fields_.bits[f >> 6];
     if ((bits.watched & bit(f)) != 0) tell_watch(f, v);
-    state_[f] = {v, written()};
+    fields_.states[f] = {v, written()};
     bits.write(bit(f));
     wake(f);
   }
   /// The same for several; ids outside the document are left out. Codes among them are counted as seen.
   void set_many(const ig_field* f, std::uint32_t count, const ig_value* v) {
-    State* const state = state_.data();
-    Bits* const bits = bits_.data();
+    State* const state = fields_.states.data();
+    Bits* const bits = fields_.bits.data();
     const std::uint64_t place = written();
     Waking waking(*this);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -137,8 +138,8 @@ class Document {
   }
   /// Their values; a bit for each that is present.
   std::uint32_t get_many(const ig_field* f, std::uint32_t count, ig_value* out) const {
-    const State* const state = state_.data();
-    const Bits* const bits = bits_.data();
+    const State* const state = fields_.states.data();
+    const Bits* const bits = fields_.bits.data();
     std::uint32_t known = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
       const ig_field field = f[i];
@@ -150,25 +151,25 @@ class Document {
   }
   /// Value, present, writer.
   void write(ig_field f, ig_value v) {
-    Bits& bits = bits_[f >> 6];
+    Bits& bits = fields_.bits[f >> 6];
     if ((bits.watched & bit(f)) != 0) tell_watch(f, v);
-    state_[f] = {v, written()};
+    fields_.states[f] = {v, written()};
     bits.present |= bit(f);
     bits.taken &= ~bit(f);
     active[1] |= wake_[std::size_t{f} * wake_words_ + 1] & holds_far_words;
   }
   /// A code that a syntax raises counts as seen, too: without one no search for codes needs to look.
-  void count_code(ig_field f) { codes_seen += static_cast<std::uint32_t>(bits_[f >> 6].codes >> (f & 63) & 1); }
+  void count_code(ig_field f) { codes_seen += static_cast<std::uint32_t>(fields_.bits[f >> 6].codes >> (f & 63) & 1); }
   void erase(ig_field f) {
     if (is_watched(f)) tell_change(f);
-    bits_[f >> 6].present &= ~bit(f);
-    bits_[f >> 6].fresh &= ~bit(f);
+    fields_.bits[f >> 6].present &= ~bit(f);
+    fields_.bits[f >> 6].fresh &= ~bit(f);
   }
   /// Gives the value and removes a word; a code stays readable. False when it was not there.
   bool take(ig_field f, ig_value& out) {
     if (!present(f)) return false;
-    out = state_[f].value;
-    Bits& bits = bits_[f >> 6];
+    out = fields_.states[f].value;
+    Bits& bits = fields_.bits[f >> 6];
     if ((bits.watched & bit(f)) != 0) tell_change(f);
     bits.present &= ~(bit(f) & ~bits.codes);
     bits.taken |= bit(f);
@@ -179,8 +180,8 @@ class Document {
   bool is_point(ig_field x) const { return x < points_end_ && (x & 63) <= 61; }
   /// A bit for each that is present; 0 in its place where it is not.
   std::uint32_t get_point(ig_field x, double* out) const {
-    const std::uint32_t known = static_cast<std::uint32_t>(bits_[x >> 6].present >> (x & 63)) & 7u;
-    const State* const state = state_.data() + x;
+    const std::uint32_t known = static_cast<std::uint32_t>(fields_.bits[x >> 6].present >> (x & 63)) & 7u;
+    const State* const state = fields_.states.data() + x;
     for (int i = 0; i < 3; ++i) out[i] = state[i].value.number;
     if (known != 7u) [[unlikely]]
       for (int i = 0; i < 3; ++i)
@@ -188,11 +189,11 @@ class Document {
     return known;
   }
   std::uint32_t fresh_point(ig_field x) const {
-    return static_cast<std::uint32_t>(bits_[x >> 6].fresh >> (x & 63)) & 7u;
+    return static_cast<std::uint32_t>(fields_.bits[x >> 6].fresh >> (x & 63)) & 7u;
   }
   std::uint32_t take_point(ig_field x, double* out) {
     const std::uint32_t known = get_point(x, out);
-    Bits& bits = bits_[x >> 6];
+    Bits& bits = fields_.bits[x >> 6];
     const std::uint64_t these = std::uint64_t{known} << (x & 63);
     if ((bits.watched & these) != 0) [[unlikely]]
       tell_changes(x, nullptr);
@@ -201,12 +202,12 @@ class Document {
     return known;
   }
   [[gnu::always_inline]] void set_point(ig_field x, const double* point) {
-    Bits& bits = bits_[x >> 6];
+    Bits& bits = fields_.bits[x >> 6];
     const std::uint64_t these = std::uint64_t{7} << (x & 63);
     if ((bits.watched & these) != 0) [[unlikely]]
       tell_changes(x, point);
     const std::uint64_t place = written();
-    State* const state = state_.data() + x;
+    State* const state = fields_.states.data() + x;
     state[0] = {{.number = point[0]}, place};
     state[1] = {{.number = point[1]}, place};
     state[2] = {{.number = point[2]}, place};
@@ -216,8 +217,8 @@ class Document {
   void set_text(ig_field f, std::string_view text);
   /// Words and codes of the text, with their columns; codes are numbered in their order.
   [[gnu::always_inline]] void set_words(const ig_word* w, std::uint32_t count) {
-    State* const state = state_.data();
-    Bits* const all = bits_.data();
+    State* const state = fields_.states.data();
+    Bits* const all = fields_.bits.data();
     const std::uint32_t size = size_;
     const std::uint64_t place = written();
     Waking waking(*this);
@@ -299,7 +300,7 @@ class Document {
       taken &= ~fields;
     }
   };
-  const Bits& bits(std::uint32_t word) const { return bits_[word]; }
+  const Bits& bits(std::uint32_t word) const { return fields_.bits[word]; }
 
   /// The same values, words and lists (the checked table verifies a build that returns "unchanged").
   bool same_content(const Document& other) const;
@@ -346,9 +347,9 @@ class Document {
       wake_far(woken);
   }
   [[gnu::cold]] void wake_far(const std::uint64_t* woken);
-  bool is_watched(ig_field f) const { return (bits_[f >> 6].watched >> (f & 63) & 1) != 0; }
+  bool is_watched(ig_field f) const { return (fields_.bits[f >> 6].watched >> (f & 63) & 1) != 0; }
   void tell_watch(ig_field f, ig_value v) {
-    if (!present(f) || state_[f].value.integer != v.integer) tell_change(f);
+    if (!present(f) || fields_.states[f].value.integer != v.integer) tell_change(f);
   }
   [[gnu::cold]] void tell_change(ig_field f);
   /// For three fields side by side; without values they are erased.
@@ -376,8 +377,16 @@ class Document {
   static_assert(sizeof(Bits) == sizeof(ig_view_bits) && offsetof(Bits, present) == offsetof(ig_view_bits, present) &&
                 offsetof(Bits, fresh) == offsetof(ig_view_bits, fresh));
   static_assert(sizeof(State) == sizeof(ig_view_value) && offsetof(State, value) == offsetof(ig_view_value, value));
-  std::vector<Bits> bits_;
-  std::vector<State> state_;
+  /// Few fields of a block have a value. Blocks are copied while they wait for those that follow, so an assignment
+  /// copies the values that are there and leaves the rest of the copy as it was.
+  struct Fields {
+    std::vector<Bits> bits;
+    std::vector<State> states;
+    Fields(std::size_t words, std::size_t count) : bits(words), states(count) {}
+    Fields(const Fields&) = default;
+    Fields& operator=(const Fields& other);
+  };
+  Fields fields_;
   // The 64-bit words that hold words and codes; from far_begin_ to far_end_ hold nothing but words of codes, looked at
   // where a block holds_far_words.
   std::uint32_t open_begin_ = 0, far_begin_ = 0, far_end_ = 0;
