@@ -38,6 +38,7 @@ class Options(TypedDict, total=False):
     plugins: Path | Iterable[Path]
     dialects: Path | Iterable[Path]
     machines: Path | Iterable[Path]
+    any_plugins: bool
     syntaxes: Sequence[Syntax]
 
 @dataclass(frozen=True)

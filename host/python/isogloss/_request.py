@@ -47,7 +47,7 @@ _conversions = {
     "machines": _paths, "main_passes": str,
 }
 _plain = {"optional_stop", "start_program", "on_error", "max_blocks", "max_motions", "max_diagnostics", "zero_moves",
-          "summary"}
+          "summary", "any_plugins"}
 
 
 def make(program, text=None, syntaxes=(), **given) -> _isogloss.Request:

@@ -145,7 +145,8 @@ def run(program=None, **given) -> Result:
     extension, and a diagnostic says which (IG-0514). machine, offsets, tools, variables: as of the command. set: a dict such
     as {"IsoCoordinateTable.G54.Z": -120}. syntaxes: functions made by @isogloss.syntax. Further: block_skip,
     optional_stop, start_program, subprograms, main_passes, on_error, max_blocks, max_motions, max_diagnostics,
-    zero_moves, summary, plugins, dialects, machines (folders).
+    zero_moves, summary, plugins, dialects, machines (folders), any_plugins: load plugins that others can write, too, which
+    are refused otherwise (IG-0311).
 
     Raises Error when the run cannot start, Fault when a plugin fails. Errors of the program are in `diagnostics`.
     """

@@ -284,7 +284,10 @@ void bind_request(py::module_& m) {
           [](Request& r, std::vector<std::string> folders) { r.folders.dialects = std::move(folders); })
       .def_property(
           "machines", [](const Request& r) { return r.folders.machines; },
-          [](Request& r, std::vector<std::string> folders) { r.folders.machines = std::move(folders); });
+          [](Request& r, std::vector<std::string> folders) { r.folders.machines = std::move(folders); })
+      .def_property(
+          "any_plugins", [](const Request& r) { return r.folders.trust == PluginTrust::any; },
+          [](Request& r, bool any) { r.folders.trust = any ? PluginTrust::any : PluginTrust::guarded; });
 }
 
 }  // namespace

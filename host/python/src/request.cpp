@@ -23,16 +23,17 @@ std::mutex& loading() {
   return mutex;
 }
 
-/// Plugins are loaded once for each set of folders. Never destroyed, as the plugins are not.
+/// Plugins are loaded once for each set of folders and each trust. Never destroyed, as the plugins are not.
 Workspace& shared_workspace(const Request& request, DiagnosticSink& sink) {
   struct Shared {
     Forwarding sink;
     std::unique_ptr<Workspace> workspace;
   };
-  using Key = std::tuple<std::string, std::vector<std::string>, std::vector<std::string>, std::vector<std::string>>;
+  using Key = std::tuple<std::string, std::vector<std::string>, std::vector<std::string>, std::vector<std::string>,
+                         PluginTrust>;
   static auto& all = *std::make_unique<std::map<Key, Shared>>().release();
   const NamedFolders& f = request.folders;
-  Shared& shared = all[{request.home, f.plugins, f.dialects, f.machines}];
+  Shared& shared = all[{request.home, f.plugins, f.dialects, f.machines, f.trust}];
   if (shared.workspace == nullptr) shared.workspace = std::make_unique<Workspace>(f, request.home, shared.sink);
   shared.sink.to = &sink;
   return *shared.workspace;

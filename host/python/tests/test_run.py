@@ -5,7 +5,9 @@ import gc
 import io
 import json
 import math
+import os
 import pathlib
+import shutil
 import threading
 import time
 
@@ -186,6 +188,20 @@ def test_a_limit_of_diagnostics_ends_the_run():
     result = isogloss.run(text=text, dialect="fanuc", max_diagnostics=100)
     assert len(result.diagnostics) == 101
     assert result.diagnostics[-1].code == "IG-0454"
+
+
+def test_a_plugin_that_others_can_write_is_refused(part, tmp_path, command):
+    folder = tmp_path / "plugins"
+    folder.mkdir()
+    installed = pathlib.Path(os.environ["ISOGLOSS_COMMAND"]).parent / "plugins"
+    for plugin in ("iso.so", "fanuc.so"):
+        shutil.copy(installed / plugin, folder)
+    (folder / "iso.so").chmod(0o777)
+    with pytest.raises(isogloss.Error) as refused:
+        isogloss.run(part, dialect="fanuc", plugins=folder)
+    assert "IG-0311" in {d.code for d in refused.value.diagnostics}
+    allowed = isogloss.run(part, dialect="fanuc", plugins=folder, any_plugins=True)
+    assert allowed.motions.tobytes() == isogloss.run(part, dialect="fanuc").motions.tobytes()
 
 
 def test_dialects_are_listed():
