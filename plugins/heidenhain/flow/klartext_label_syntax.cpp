@@ -67,6 +67,7 @@ struct KlartextLabel {
   };
 
   static std::optional<Found> statement_at(std::string_view text, std::size_t position) {
+    if (std::string_view("ABE").find(to_upper(at(text, position + 1))) == std::string_view::npos) return std::nullopt;
     if (const std::size_t i = keyword(text, position, "CALL LBL"); i != position) return Found{Kind::call, i};
     if (const std::size_t i = keyword(text, position, "CALL PGM"); i != position) return Found{Kind::program, i};
     if (const std::size_t i = keyword(text, position, "CALL SELECTED PGM"); i != position)

@@ -18,24 +18,34 @@ struct KlartextBlockNumber {
   ig::Out<std::int64_t> n_{"Source.N"};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    if (skip_blanks(text, 0) != position) return position;
+    if (is_digit(text[position])) {
+      const std::size_t next = skip_blanks(text, number_end(b, text, position));
+      if (at(text, next) != '/') return next;
+    }
     const std::size_t words = first_word(text);
-    if (position >= words || skip_blanks(text, 0) != position) return position;
+    if (position >= words) return position;
     std::size_t i = position;
     if (text[i] == '/' && skips(b, text, i, true)) return text.size();
     i = skip_blanks(text, i);
     if (to_upper(at(text, i)) == 'N') ++i;
-    const std::size_t end = skip_digits(text, i);
-    if (end > i && end - i <= 18) {
-      std::int64_t number = 0;
-      for (std::size_t k = i; k < end; ++k) number = number * 10 + (text[k] - '0');
-      b.set(n_, number);
-    }
-    i = skip_blanks(text, end);
+    i = skip_blanks(text, number_end(b, text, i));
     if (at(text, i) == '/' && i < words && skips(b, text, i, false)) return text.size();
     return words;
   }
 
  private:
+  /// Sets the number that begins at `begin`, and says where it ends.
+  std::size_t number_end(ig::Block& b, std::string_view text, std::size_t begin) const {
+    std::int64_t number = 0;
+    std::size_t end = begin;
+    for (; is_digit(at(text, end)); ++end)
+      if (end - begin < most_digits) number = number * 10 + (text[end] - '0');
+    if (end > begin && end - begin <= most_digits) b.set(n_, number);
+    return end;
+  }
+  static constexpr std::size_t most_digits = 18;
+
   /// Takes the sign at `i`; true where the block is skipped.
   bool skips(ig::Block& b, std::string_view text, std::size_t& i, bool before_number) const {
     const std::size_t end = skip_sign_end(text, i, before_number);

@@ -84,7 +84,16 @@ struct KlartextPath {
   // ---- words
 
   std::size_t read(ig::Block& b, std::string_view text, std::size_t begin, Path& path) const {
-    std::size_t i = plain_positions(b, text, path);
+    PlainWords plain = plain_positions(text, path);
+    std::size_t i = plain.end;
+    // Nothing more to read: the code goes with them.
+    const bool is_whole = plain.count > 0 && path.function <= LN && skip(text, i) >= path.end;
+    if (is_whole) plain.add(motions_.id(1), begin, std::max(path.position, begin + 1), {});
+    if (plain.count > 0) b.set_words(plain.words.data(), plain.count);
+    if (is_whole) {
+      b.set(function_, symbols_[static_cast<std::size_t>(path.function)]);
+      return path.end;
+    }
     while (true) {
       i = skip(text, i);
       if (i >= path.end) break;
@@ -99,26 +108,33 @@ struct KlartextPath {
     return path.end;
   }
 
-  /// X+12.5 Y-3, with which most blocks begin, in one call of the host: where the first word of another kind begins.
-  std::size_t plain_positions(ig::Block& b, std::string_view text, Path& path) const {
-    std::array<ig_word, 6> words;
+  /// Words that one call of the host sets: an axis each, and a code.
+  struct PlainWords {
+    std::array<ig_word, 7> words;
     std::uint32_t count = 0;
+    std::size_t end = 0;
+    void add(ig_field field, std::size_t first, std::size_t last, ig_value value) {
+      words[count++] = {field, column(first), column(last), value, 0, 0};
+    }
+  };
+  /// X+12.5 Y-3, with which most blocks begin, up to where a word of another kind begins.
+  PlainWords plain_positions(std::string_view text, Path& path) const {
+    PlainWords out;
+    out.end = path.position;
     unsigned seen = 0;
-    std::size_t i = path.position;
-    while (path.function < APPR && count < words.size()) {
-      const std::size_t begin = skip_blanks(text, i);
+    while (path.function < APPR) {
+      const std::size_t begin = skip_blanks(text, out.end);
       const std::size_t axis = axis_of(at(text, begin));
       if (axis > 5 || (seen >> axis & 1u) != 0) break;
       const ig::Decimal d = ig::read_decimal(text, begin + 1);
       const char behind = at(text, d.end);
       if (!d.ok || !(is_blank(behind) || behind == '\0')) break;
       seen |= 1u << axis;
-      words[count++] = {axes_[axis], column(begin), column(d.end), {.number = d.value + 0.0}, 0, 0};
-      i = d.end;
+      out.add(axes_[axis], begin, d.end, {.number = d.value + 0.0});
+      out.end = d.end;
     }
-    if (count > 0) b.set_words(words.data(), count);
-    path.has_axis = count > 0;
-    return i;
+    path.has_axis = out.count > 0;
+    return out;
   }
 
   std::size_t word_at(ig::Block& b, std::string_view text, std::size_t i, Path& path) const {
@@ -187,7 +203,19 @@ struct KlartextPath {
     return v.end;
   }
 
-  static std::size_t axis_of(char c) { return std::min<std::size_t>(std::string_view("XYZABC").find(to_upper(c)), 6); }
+  /// 0 to 5: X Y Z A B C; 6: another character.
+  static std::size_t axis_of(char c) {
+    static constexpr auto axes = [] {
+      std::array<std::uint8_t, 256> out{};
+      out.fill(6);
+      for (std::uint8_t axis = 0; axis < axis_letters.size(); ++axis) {
+        const char letter = axis_letters[axis];
+        out[static_cast<unsigned char>(letter)] = out[static_cast<unsigned char>(letter - 'A' + 'a')] = axis;
+      }
+      return out;
+    }();
+    return axes[static_cast<unsigned char>(c)];
+  }
   static std::size_t polar_of(char c) { return std::min<std::size_t>(std::string_view("RA").find(to_upper(c)), 2); }
 
   /// `other` is the same axis as an increment or as a position.
