@@ -16,6 +16,8 @@ import subprocess
 import sys
 import tempfile
 
+import surface_forms
+
 HERE = pathlib.Path(__file__).resolve().parent
 RECORD = HERE / "instructions.json"
 LOSS = 0.03
@@ -24,6 +26,7 @@ IDLE = {50: 0.05, 500: 0.20}
 FORMATS = {"none": ["--emit", "none"],
            "csv": ["--emit", "motions", "--format", "csv", "-o", "/dev/null"],
            "jsonl": ["--emit", "motions", "--format", "jsonl", "-o", "/dev/null"]}
+LANGUAGES = {"siemens": ("mpf", surface_forms.siemens), "heidenhain": ("h", surface_forms.klartext)}
 CASES = [("surface", "none"), ("surface", "csv"), ("surface", "jsonl"), ("mixed", "none"), ("mixed", "csv"),
          ("drilling", "none"), ("drilling", "csv"), ("five-axis", "none")]
 
@@ -43,9 +46,18 @@ class Counter:
             subprocess.run([self.options.tools / "workload", kind, str(lines), "-o", path], check=True)
         return path
 
+    def program_in(self, dialect, kind, lines):
+        program = self.program(kind, lines)
+        if dialect not in LANGUAGES:
+            return program
+        suffix, form = LANGUAGES[dialect]
+        path = program.with_suffix(f".{suffix}")
+        path.write_text(form(program.read_text()))
+        return path
+
     def count(self, kind, lines, arguments, dialect):
         command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", f"--cachegrind-out-file={self.folder}/counts",
-                   self.options.isogloss, "run", self.program(kind, lines), "-d", dialect, "--watchdog", "0", *arguments]
+                   self.options.isogloss, "run", self.program_in(dialect, kind, lines), "-d", dialect, "--watchdog", "0", *arguments]
         command += ["--machine", HERE / "five_axis.xml"] if kind == "five-axis" else ["--tools", self.tools]
         done = subprocess.run([str(part) for part in command], capture_output=True, text=True, env=self.environment)
         found = re.search(r"I +refs: +([\d,]+)", done.stderr)
@@ -78,6 +90,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         counter = Counter(options, pathlib.Path(folder))
         counts = {f"{kind} {form}": counter.per_block(kind, FORMATS[form]) for kind, form in CASES}
+        for dialect in LANGUAGES:
+            counts[f"surface {dialect} none"] = counter.per_block("surface", FORMATS["none"], dialect)
         if options.write:
             RECORD.write_text(json.dumps({"Compiler": options.compiler, "Instructions": {
                 case: round(count) for case, count in counts.items()}}, indent=2) + "\n")
@@ -87,7 +101,7 @@ def main():
             print(f"the counts were recorded with {record['Compiler']}, this is {options.compiler}: not compared")
         for case, count in counts.items():
             before = record["Instructions"][case]
-            print(f"{case:16} {count:8.0f} instructions a block, recorded {before}: {count / before - 1:+.1%}")
+            print(f"{case:24} {count:8.0f} instructions a block, recorded {before}: {count / before - 1:+.1%}")
             if is_same and count > before * (1 + LOSS):
                 faults.append(f"{case}: a block takes {count / before - 1:.1%} more instructions than recorded")
         for number, limit in IDLE.items():
