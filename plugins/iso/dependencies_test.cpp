@@ -291,7 +291,7 @@ TEST_CASE("machine axes: a row whose names or columns have no effect is refused"
   CHECK_THAT(two.row_fault("C"), Catch::Contains("the rows C and A both name C1"));
   CHECK_THAT(two.row_fault("B"), Catch::Contains("is no name of an axis"));
   CHECK(two.row_fault("U").empty());
-  for (const char* name : {"M1", "C", "C-1", "S3"}) {
+  for (const char* name : {"M1", "C", "C-1", "+C1", "S3"}) {
     CAPTURE(name);
     const FakeDependency one(*ig_plugin_v1(), "MachineAxes", {{"X", {{"Names", name}}}});
     CHECK_THAT(one.row_fault("X"), Catch::Contains("is no name of an axis"));

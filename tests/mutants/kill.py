@@ -123,6 +123,8 @@ class Tests:
             reached = True
             parts = [part for test in group for part in test.parts]
             if not self.passes(group[0].kind, parts, ISOGLOSS_MUTANT=number):
+                for report in (self.source / "tests" / "programs").rglob("isogloss-crash-*.md"):
+                    report.unlink(missing_ok=True)
                 return f"{group[0].kind} {group[0].name}" + (" and others" if len(group) > 1 else "")
         return "" if reached else None
 

@@ -34,6 +34,13 @@ class FakeDependency {
     api_.struct_size = sizeof api_;
     api_.option_number = [](ig_link* link, std::uint32_t i) { return std::stod(self(link).option(i)); };
     api_.option_integer = [](ig_link* link, std::uint32_t i) { return self(link).integer(i); };
+    api_.option_text = [](ig_link* link, std::uint32_t i) {
+      const FakeDependency& me = self(link);
+      const auto given = me.options_.find(me.descriptor_.options[i].name);
+      if (given != me.options_.end()) return ig_text{given->second.data(), given->second.size()};
+      const std::string_view fallback = me.descriptor_.options[i].fallback;
+      return ig_text{fallback.data(), fallback.size()};
+    };
     api_.table = [](ig_link* link) { return reinterpret_cast<ig_table*>(link); };
     api_.value = [](const ig_table* table, ig_text row, std::uint32_t column, double* out) {
       return self(table).value({row.data, row.size}, column, out);

@@ -40,8 +40,7 @@ class PeckCycle {
     const double length = std::fabs(run.bottom - run.r_level);
     const double q = run.words.get_or(CycleWords::Q, 0);
     const bool is_news = !b.is(term_before_, run.code) || b.get_or(q_before_, 0.0) != q;
-    if (const double first = std::fabs(by_ijk(run) ? run.words.get_or(CycleWords::I, 0) : 0); first > 0)
-      return plan_decreasing(b, cycle, run, first, is_news);
+    if (const double first = first_by_i(run); first > 0) return plan_decreasing(b, cycle, run, first, is_news);
     double depth = std::fabs(q);
     if (depth == 0) {
       const bool is_one_stroke = missing_q_ == MissingQ::one_stroke;
@@ -71,14 +70,18 @@ class PeckCycle {
 
   /// The letters of the call's words that define its pecks.
   std::string_view used(const CycleRun& run, std::string_view with_q, std::string_view with_ijk) const {
-    return by_ijk(run) && run.words.get_or(CycleWords::I, 0) != 0 ? with_ijk : with_q;
+    return first_by_i(run) > 0 ? with_ijk : with_q;
   }
 
  private:
   enum class MissingQ { no_hole, one_stroke };
   enum class PeckWords { q, q_or_ijk };
 
-  bool by_ijk(const CycleRun& run) const { return peck_words_ == PeckWords::q_or_ijk && run.words.has(CycleWords::I); }
+  /// The first peck of a call with I, J and K; 0 where Q gives the pecks.
+  double first_by_i(const CycleRun& run) const {
+    const auto i = run.words[CycleWords::I];
+    return i && peck_words_ == PeckWords::q_or_ijk ? std::fabs(*i) : 0;
+  }
 
   double clear_level(const PeckStrokes& strokes, const CycleRun& run) const {
     return strokes.above(run.r_level, config_.number("PeckClearanceAboveR_mm").value_or(0));

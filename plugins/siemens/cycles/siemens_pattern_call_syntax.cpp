@@ -36,11 +36,7 @@ struct SiemensPatternCall {
     if (b.is_raised(open_)) look_back(b, here, open);
     if (!pattern_.stands_in(b) || !b.is_raised(subprogram_) || b.find(mcall_)) return ig::Status::changed;
     const auto holes = pattern_.take(b, plane_(b), last_(b));
-    // Drop the patterns of programs that have ended, and one of this program that a jump has left.
-    while (!open.empty() && (open.back().frame > here.frame || !open.back().is_open() ||
-                             (open.back().frame == here.frame && open.back().offset != here.offset)))
-      open.pop_back();
-    if (open.empty() || open.back().frame != here.frame) {
+    if (open.empty() || !open.back().is_at(here.frame, here.offset) || !open.back().is_open()) {
       if (!holes || holes->empty()) return ig::Status::changed;  // reported
       PatternCall& begun = open.emplace_back();
       begun.frame = here.frame;
@@ -62,15 +58,16 @@ struct SiemensPatternCall {
  private:
   /// Reports a pattern when the program goes on after it although not all of its holes were made.
   void look_back(ig::Block& b, const ig_place& here, std::vector<PatternCall>& open) const {
-    if (open.empty() || here.frame < open.back().frame) {
-      b.erase(open_);
-    } else if (here.frame == open.back().frame && here.offset != open.back().offset) {
-      if (open.back().is_open())
-        b.report(ig::diag("SIE-0289"), ig::Where::block(),
-                 static_cast<double>(open.back().holes.size() - open.back().next));
+    while (!open.empty() && is_left(open.back(), here)) {
+      const PatternCall& pattern = open.back();
+      if (pattern.is_open())
+        b.report(ig::diag("SIE-0289"), ig::Where::block(), static_cast<double>(pattern.holes.size() - pattern.next));
       open.pop_back();
-      if (open.empty()) b.erase(open_);
     }
+    if (open.empty()) b.erase(open_);
+  }
+  static bool is_left(const PatternCall& pattern, const ig_place& here) {
+    return pattern.frame > here.frame || (pattern.frame == here.frame && pattern.offset != here.offset);
   }
 };
 

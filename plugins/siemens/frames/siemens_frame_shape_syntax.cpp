@@ -30,7 +30,8 @@ struct SiemensFrameShape {
   ig::Transform frame_{"WorkOffsetFrame", ig::read | ig::write};
   ig::Signal uneven_{"WorkOffsetFrame.~Uneven", ig::read | ig::write, ig::Life::modal};
   ig::InWhile<ig::Symbol> left_{"RadiusCompensation.Term", "G41"}, right_{"RadiusCompensation.Term", "G42"};
-  ig::Signal compensation_said_{"WorkOffsetFrame.~CompensationSaid", ig::read | ig::write, ig::Life::modal};
+  ig::Signal compensation_said_{"WorkOffsetFrame.~CompensationSaid", ig::read | ig::write | ig::wake_while,
+                                ig::Life::modal};
   ig::Transform programmable_{"ProgrammableFrame", ig::read}, tilt_{"TiltTransform", ig::read};
   ig::Field<bool> aligned_{"TiltTransform.IsAligned",
                            ig::read,

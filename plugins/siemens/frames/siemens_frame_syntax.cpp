@@ -45,7 +45,8 @@ struct SiemensFrame {
   ig::Out<ig::Symbol> term_{"ProgrammableFrame.Term", {ig::Life::modal, "", "The instruction that was last."}};
   ig::Signal uneven_{"ProgrammableFrame.~Uneven", ig::read | ig::write, ig::Life::modal};
   ig::InWhile<ig::Symbol> left_{"RadiusCompensation.Term", "G41"}, right_{"RadiusCompensation.Term", "G42"};
-  ig::Signal compensation_said_{"ProgrammableFrame.~CompensationSaid", ig::read | ig::write, ig::Life::modal};
+  ig::Signal compensation_said_{"ProgrammableFrame.~CompensationSaid", ig::read | ig::write | ig::wake_while,
+                                ig::Life::modal};
   ig::Transform frame_{"ProgrammableFrame", ig::read | ig::write};
   /// Tells `isogloss explain` that the frame of this block acts within the one before it.
   ig::Signal adds_{"ProgrammableFrame.~Adds", ig::read | ig::write};

@@ -1,0 +1,13 @@
+%
+O6840 (WHAT A HAAS DOES NOT MILL OR BORE)
+G90 G17 G21 G54 G00 X0. Y0. Z50.
+S1000 M03
+(no shift: neither Q nor I and J)
+G76 X10. Y0. Z-10. R2. F100.
+G80
+(two passes of 8001 circles each)
+G00 X0. Y0. Z2.
+G91 G13 Z-1. I1. K81. Q0.01 L2 D0 F200.
+G90
+M30
+%
