@@ -81,21 +81,25 @@ struct KlartextCycle {
     if (!number->part)
       parameters(b, text, number->end);
     else if (*number->part > 0)
-      part(b, text, *number);
+      part(b, text, skip(text, i), *number);
     return text.size();
   }
 
   /// CYCL DEF 1.2 DEPTH -20: a part of one of the older cycles.
-  void part(ig::Block& b, std::string_view text, const CycleNumber& number) const {
+  void part(ig::Block& b, std::string_view text, std::size_t definition, const CycleNumber& number) const {
     const bool is_known = number.cycle == 1 || number.cycle == 2 || number.cycle == 17;
     const std::uint32_t most = number.cycle == 1 ? 5 : number.cycle == 2 ? 4 : 3;
-    if (!is_known || *number.part > most || b.get_or(number_, std::int64_t{0}) != number.cycle) return;
+    if (b.get_or(number_, std::int64_t{0}) != number.cycle || (is_known && *number.part > most))
+      return report_without_meaning(b, text, definition, "CYCL DEF");
+    if (!is_known) return;  // reported where the cycle began
     const Value v = text_.number_behind(b, text, number.end);
     const auto where = ig::Where::columns(number.end, std::max(number.end + 1, v.ok ? v.end : text.size()));
     if (!v.ok)
       b.report(ig::diag("HEI-0104"), where, std::string_view("CYCL DEF"), std::string_view("the value"));
     else if (std::isfinite(v.number))
       definition_.set(b, *number.part, v.number);
+    if (const std::size_t behind = skip(text, v.end); v.ok && !is_end(text, behind))
+      report_without_meaning(b, text, behind, "CYCL DEF");
   }
 
   std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position) const {
