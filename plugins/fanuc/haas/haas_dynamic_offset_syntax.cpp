@@ -54,6 +54,12 @@ struct HaasDynamicOffset {
     return ig::Status::changed;
   }
 
+  ig::Status restart(ig::Block&) {
+    angles_ = {};
+    is_turn_reported_ = false;
+    return ig::Status::unchanged;
+  }
+
  private:
   ig::Status end(ig::Block& b) const {
     if (!b.is_raised(on_)) return ig::Status::changed;
