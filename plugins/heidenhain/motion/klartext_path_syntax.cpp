@@ -208,10 +208,9 @@ struct KlartextPath {
     static constexpr auto axes = [] {
       std::array<std::uint8_t, 256> out{};
       out.fill(6);
-      for (std::uint8_t axis = 0; axis < axis_letters.size(); ++axis) {
-        const char letter = axis_letters[axis];
-        out[static_cast<unsigned char>(letter)] = out[static_cast<unsigned char>(letter - 'A' + 'a')] = axis;
-      }
+      for (std::size_t axis = 0; axis < axis_letters.size(); ++axis)
+        for (const char letter : {axis_letters[axis], static_cast<char>(axis_letters[axis] - 'A' + 'a')})
+          out[static_cast<unsigned char>(letter)] = static_cast<std::uint8_t>(axis);
       return out;
     }();
     return axes[static_cast<unsigned char>(c)];
