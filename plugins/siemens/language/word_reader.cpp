@@ -129,7 +129,7 @@ std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t be
 
 void WordReader::word(ig::Block& b, Run& run, std::string_view name, ig_field field, std::size_t begin, std::size_t end,
                       double value) const {
-  if (axis_letters.find(name) == std::string_view::npos)
+  if (name.size() != 1 || axis_letters.find(name[0]) == std::string_view::npos)
     if (const auto axis = further_axis(name)) field = further_axes_.word(*axis).id();
   if (field == IG_NO_FIELD) {
     if (!defines_curve()) leave(b, IG_LEFT_WORD, name, begin, end);
