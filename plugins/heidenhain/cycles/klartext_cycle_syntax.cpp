@@ -98,8 +98,7 @@ struct KlartextCycle {
       b.report(ig::diag("HEI-0104"), where, std::string_view("CYCL DEF"), std::string_view("the value"));
     else if (std::isfinite(v.number))
       definition_.set(b, *number.part, v.number);
-    if (const std::size_t behind = skip(text, v.end); v.ok && !is_end(text, behind))
-      report_without_meaning(b, text, behind, "CYCL DEF");
+    if (v.ok) report_rest(b, text, v.end, "CYCL DEF");
   }
 
   std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position) const {

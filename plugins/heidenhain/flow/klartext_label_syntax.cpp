@@ -67,6 +67,7 @@ struct KlartextLabel {
   };
 
   static std::optional<Found> statement_at(std::string_view text, std::size_t position) {
+    // The second letters of CALL, LBL and SEL: nearly all blocks begin otherwise.
     if (std::string_view("ABE").find(to_upper(at(text, position + 1))) == std::string_view::npos) return std::nullopt;
     if (const std::size_t i = keyword(text, position, "CALL LBL"); i != position) return Found{Kind::call, i};
     if (const std::size_t i = keyword(text, position, "CALL PGM"); i != position) return Found{Kind::program, i};
@@ -94,12 +95,6 @@ struct KlartextLabel {
     b.set_text(label_, name);
     report_rest(b, text, end, "LBL");
     if (name == "0" && values_.flow().frame(b).tag == called_label) values_.flow().leave(b);
-  }
-
-  static void report_rest(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) {
-    i = skip(text, i);
-    if (i >= text.size()) return;
-    report_without_meaning(b, text, i, of);
   }
 
   /// REP 3/3, REP Q3/Q3: the control shows the remaining repeats, and writes them into listings.

@@ -183,18 +183,18 @@ struct KlartextFrameCycle {
       frame_.turn_further(b, where, v.number);
     else
       frame_.turn(b, where, v.number + 0.0);
-    if (v.ok) end_here(b, text, v.end, of);
+    if (v.ok) report_rest(b, text, v.end, of);
   }
 
   void dwell_cycle(ig::Block& b, std::string_view text, std::size_t i) const {
     const Value seconds = text_.number_behind(b, text, i);
     dwell(b, seconds, i, text.size(), "CYCL DEF 9");
-    if (seconds.ok) end_here(b, text, seconds.end, "CYCL DEF 9");
+    if (seconds.ok) report_rest(b, text, seconds.end, "CYCL DEF 9");
   }
 
   bool scales(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) const {
     const Value v = text_.number_behind(b, text, i);
-    if (v.ok && v.number == 1) end_here(b, text, v.end, of);
+    if (v.ok && v.number == 1) report_rest(b, text, v.end, of);
     return !v.ok || v.number != 1;
   }
 
@@ -203,8 +203,9 @@ struct KlartextFrameCycle {
     bool any = false;
     while ((i = skip(text, i)) < text.size()) {
       const bool is_centre = equals_ignoring_case(piece(text, i, std::min(i + 2, text.size())), "CC");
-      const std::size_t name = is_letter(text[i]) ? i + (is_centre ? 3 : 1) : i;
-      const Value v = name != i && name < text.size() ? text_.values().read(b, text, name) : Value{};
+      const std::size_t axis = is_centre ? i + 2 : i;
+      const bool is_axis = std::string_view("XYZABCUVW").find(to_upper(at(text, axis))) != std::string_view::npos;
+      const Value v = is_axis ? text_.values().read(b, text, axis + 1) : Value{};
       if (!v.ok) {
         report_not_a_word(b, text, i, "CYCL DEF 26");
         return true;
@@ -213,11 +214,6 @@ struct KlartextFrameCycle {
       i = v.end;
     }
     return any;
-  }
-
-  /// Reports what stands behind the last word of a statement.
-  static void end_here(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) {
-    if (const std::size_t rest = skip(text, i); rest < text.size()) report_without_meaning(b, text, rest, of);
   }
 
   /// TRANS MIRROR AXIS X, TRANS ROTATION ROT+90, TRANS SCALE SCL1 and their RESET: like cycles 8, 10 and 11.
@@ -233,15 +229,15 @@ struct KlartextFrameCycle {
     const std::size_t reset = keyword(text, first, "RESET"), axis = keyword(text, first, "AXIS");
     if (scaled != begin) {
       if (reset != first)
-        end_here(b, text, reset, "TRANS SCALE RESET");
+        report_rest(b, text, reset, "TRANS SCALE RESET");
       else if (scales(b, text, first, "TRANS SCALE"))
         report_not_executed(b, text, begin, "positions are not scaled");
     } else if (mirrored != begin) {
       frame_.mirror(b, text, reset != first ? end : axis, where, Mirroring::anew);
-      if (reset != first) end_here(b, text, reset, "TRANS MIRROR RESET");
+      if (reset != first) report_rest(b, text, reset, "TRANS MIRROR RESET");
     } else if (reset != first) {
       frame_.turn(b, where, 0);
-      end_here(b, text, reset, "TRANS ROTATION RESET");
+      report_rest(b, text, reset, "TRANS ROTATION RESET");
     } else {
       rotate(b, text, first, where, "TRANS ROTATION");
     }
@@ -260,7 +256,7 @@ struct KlartextFrameCycle {
     } else if (reset != i) {
       put_code(b, datum_.code(0), begin, reset);
       for (std::size_t k = 0; k < 6; ++k) put_word(b, datum_.row(0)[k], begin, reset, 0);
-      end_here(b, text, reset, "TRANS DATUM RESET");
+      report_rest(b, text, reset, "TRANS DATUM RESET");
     } else {
       report_not_executed(b, text, begin, "AXIS, TABLE or RESET is missing, the shift stays");
     }

@@ -33,6 +33,10 @@ inline void report_not_a_word(ig::Block& b, std::string_view text, std::size_t b
 inline void report_without_meaning(ig::Block& b, std::string_view text, std::size_t begin, std::string_view of) {
   b.report(ig::diag("HEI-0105"), where_of_line(text, begin), rest_of_line(text, begin), of);
 }
+/// The same for what stands behind the last word of the statement, if anything does. The text ends with the statement.
+inline void report_rest(ig::Block& b, std::string_view text, std::size_t position, std::string_view of) {
+  if (const std::size_t rest = skip(text, position); rest < text.size()) report_without_meaning(b, text, rest, of);
+}
 /// HEI-0122: the statement that begins at `begin` is not executed; `effect` is what is missing from there on.
 inline void report_not_executed(ig::Block& b, std::string_view text, std::size_t begin, std::string_view effect) {
   b.report(ig::diag("HEI-0122"), where_of_line(text, begin), rest_of_line(text, begin), effect);

@@ -19,19 +19,15 @@ struct KlartextBlockNumber {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (skip_blanks(text, 0) != position) return position;
-    if (is_digit(text[position])) {
-      const std::size_t next = skip_blanks(text, number_end(b, text, position));
-      if (at(text, next) != '/') return next;
-    }
-    const std::size_t words = first_word(text);
-    if (position >= words) return position;
     std::size_t i = position;
-    if (text[i] == '/' && skips(b, text, i, true)) return text.size();
-    i = skip_blanks(text, i);
-    if (to_upper(at(text, i)) == 'N') ++i;
-    i = skip_blanks(text, number_end(b, text, i));
-    if (at(text, i) == '/' && i < words && skips(b, text, i, false)) return text.size();
-    return words;
+    if (text[i] == '/') {
+      if (skips(b, text, i, true)) return text.size();
+      i = skip_blanks(text, i);
+    }
+    const bool has_letter = to_upper(at(text, i)) == 'N' && is_digit(at(text, i + 1));
+    i = skip_blanks(text, number_end(b, text, has_letter ? i + 1 : i));
+    if (at(text, i) != '/') return i;
+    return skips(b, text, i, false) ? text.size() : skip_blanks(text, i);
   }
 
  private:

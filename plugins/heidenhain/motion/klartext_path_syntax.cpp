@@ -84,19 +84,9 @@ struct KlartextPath {
   // ---- words
 
   std::size_t read(ig::Block& b, std::string_view text, std::size_t begin, Path& path) const {
-    PlainWords plain = plain_positions(text, path);
-    std::size_t i = plain.end;
-    // Nothing more to read: the code goes with them.
-    const bool is_whole = plain.count > 0 && path.function <= LN && skip(text, i) >= path.end;
-    if (is_whole) plain.add(motions_.id(1), begin, std::max(path.position, begin + 1), {});
-    if (plain.count > 0) b.set_words(plain.words.data(), plain.count);
-    if (is_whole) {
-      b.set(function_, symbols_[static_cast<std::size_t>(path.function)]);
-      return path.end;
-    }
-    while (true) {
-      i = skip(text, i);
-      if (i >= path.end) break;
+    Words words = plain_positions(text, path);
+    for (std::size_t i = skip(text, words.end); i < path.end; i = skip(text, i)) {
+      words.give(b);
       const std::size_t next = word_at(b, text, i, path);
       if (next == i) {
         unknown(b, text, i, path);
@@ -104,22 +94,26 @@ struct KlartextPath {
       }
       i = next;
     }
-    finish(b, begin, path);
+    finish(b, begin, path, words);
     return path.end;
   }
 
-  /// Words that one call of the host sets: an axis each, and a code.
-  struct PlainWords {
+  /// Words for one call of the host: an axis each, and the code of the motion.
+  struct Words {
     std::array<ig_word, 7> words;
     std::uint32_t count = 0;
     std::size_t end = 0;
     void add(ig_field field, std::size_t first, std::size_t last, ig_value value) {
       words[count++] = {field, column(first), column(last), value, 0, 0};
     }
+    void give(ig::Block& b) {
+      if (count > 0) b.set_words(words.data(), count);
+      count = 0;
+    }
   };
   /// X+12.5 Y-3, with which most blocks begin, up to where a word of another kind begins.
-  PlainWords plain_positions(std::string_view text, Path& path) const {
-    PlainWords out;
+  Words plain_positions(std::string_view text, Path& path) const {
+    Words out;
     out.end = path.position;
     unsigned seen = 0;
     while (path.function < APPR) {
@@ -239,11 +233,11 @@ struct KlartextPath {
     b.report(ig::diag("HEI-0103"), ig::Where::columns(i, i + rest.size()), rest, path.name());
   }
 
-  void finish(ig::Block& b, std::size_t begin, const Path& path) const {
+  void finish(ig::Block& b, std::size_t begin, const Path& path, Words& words) const {
     const bool is_approach = path.function >= APPR;
     b.set(function_, symbols_[static_cast<std::size_t>(is_approach ? straight_function(b) : path.function)]);
     const std::size_t end = std::max(path.position, begin + 1);
-    const auto code = [&](std::size_t motion) { put_code(b, motions_.id(motion), begin, end); };
+    const auto code = [&](std::size_t motion) { words.add(motions_.id(motion), begin, end, {}); };
     const auto where = ig::Where::columns(begin, end);
     if (path.function == DEP) side_.end(b, begin, end);
     if (is_approach) approach_.set(b, side_, path.function, path.approach, where);
@@ -260,6 +254,7 @@ struct KlartextPath {
         code(1);
       }
     }
+    words.give(b);
   }
 
   PathFunction straight_function(const ig::Block& b) const {
