@@ -73,6 +73,30 @@ TEST_CASE("a value from before the block is that of the block's begin") {
   CHECK_FALSE(d.present(f.copy));
 }
 
+TEST_CASE("a block that is assigned has the values of the other one, and none of its own") {
+  const ManyFields f;
+  const std::vector<std::uint64_t> no_wakes(f.layout.fields.size() * 2);
+  Document from(f.layout, no_wakes, 2), to(f.layout, no_wakes, 2);
+  begin(to);
+  to.set(f.owned, {.number = 8});
+  to.set(f.modal + 1, {.number = 9});
+  begin(from);
+  from.set(f.modal, {.number = 5});
+  from.set_word({f.word, 3, 7, {.number = 6}, 0, 0});
+  from.set(f.code, {});
+  ig_value taken;
+  REQUIRE(from.take(f.code, taken));
+  to = from;
+  CHECK(to.same_content(from));
+  CHECK(to.number(f.modal) == 5);
+  CHECK(to.number(f.word) == 6);
+  CHECK(to.word_begin(f.word) == 3);
+  CHECK(to.word_end(f.word) == 7);
+  CHECK(to.taken(f.code));
+  CHECK_FALSE(to.present(f.owned));
+  CHECK_FALSE(to.present(f.modal + 1));
+}
+
 TEST_CASE("a watched field tells of a change, and of nothing else") {
   const ManyFields f;
   Document d(f.layout, std::vector<std::uint64_t>(f.layout.fields.size() * 2), 2);
