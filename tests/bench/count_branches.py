@@ -7,7 +7,6 @@ The workloads in three languages and two formats, and the golden programs of all
 """
 import argparse
 import pathlib
-import shlex
 import subprocess
 import sys
 import tempfile
@@ -17,7 +16,7 @@ import surface_forms
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "support"))
 
-from golden_programs import dialect_of, golden_files  # noqa: E402: it lies in another folder
+from golden_programs import arguments_of, dialect_of, golden_files  # noqa: E402: it lies in another folder
 
 BLOCKS = 20_000
 SEED = 11  # other programs than those that are measured
@@ -54,9 +53,7 @@ def main():
             for form in FORMATS:
                 run(options.isogloss, program, dialect, *more, *form)
         for program in golden_files(".nc"):
-            arguments = program.with_suffix(".args")
-            extra = shlex.split(arguments.read_text()) if arguments.exists() else []
-            run(options.isogloss, program, dialect_of(program), *FORMATS[1], *extra)
+            run(options.isogloss, program, dialect_of(program), *FORMATS[1], *arguments_of(program))
 
 
 if __name__ == "__main__":

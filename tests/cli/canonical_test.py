@@ -21,7 +21,7 @@ import unittest
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "support"), str(HERE.parent / "corpus")]
 
-from golden_programs import dialect_of, golden_files  # noqa: E402: it lies in another folder
+from golden_programs import arguments_of, dialect_of, golden_files  # noqa: E402: it lies in another folder
 from run_corpus import NEAREST, NOT_PROGRAMS  # noqa: E402
 
 OPTIONS = None
@@ -344,8 +344,7 @@ class Canonical(unittest.TestCase):
     def test_golden_programs_come_back(self):
         count = 0
         for program in golden_files(".nc")[::OPTIONS.every]:
-            arguments = program.with_suffix(".args")
-            more = shlex.split(arguments.read_text()) if arguments.exists() else []
+            more = arguments_of(program)
             with self.subTest(program=str(program.relative_to(program.parents[2]))):
                 faults, _ = compare(program.name, dialect_of(program), *more, cwd=program.parent)
                 self.assertEqual(faults, [])

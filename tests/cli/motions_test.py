@@ -7,7 +7,6 @@ import argparse
 import json
 import os
 import pathlib
-import shlex
 import struct
 import subprocess
 import sys
@@ -21,7 +20,7 @@ except ImportError:  # the other tests do not need it
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
-from golden_programs import PROGRAMS, dialect_of, golden_files  # noqa: E402: it lies in another folder
+from golden_programs import PROGRAMS, arguments_of, dialect_of, golden_files  # noqa: E402: it lies in another folder
 
 OPTIONS = None
 HEADER, RECORD = 960, 120
@@ -53,8 +52,7 @@ class Motions(unittest.TestCase):
         for motions in golden_files(".motions.csv")[::4 * OPTIONS.every]:
             program = next(p for p in motions.parent.glob(motions.name.removesuffix("motions.csv") + "*")
                            if not p.name.endswith((".args", ".diagnostics.txt", ".motions.csv", ".xml")))
-            args = program.with_suffix(".args")
-            run = ["run", program.name, "-d", dialect_of(program), *(shlex.split(args.read_text()) if args.exists() else [])]
+            run = ["run", program.name, "-d", dialect_of(program), *arguments_of(program)]
             stream = isogloss(*run, "--format", "binary", status=None, cwd=program.parent).stdout
             for form in ("csv", "jsonl", "text"):
                 direct = isogloss(*run, "--format", form, "--exact", status=None, cwd=program.parent).stdout

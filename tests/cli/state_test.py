@@ -13,7 +13,6 @@ import os
 import pathlib
 import random
 import re
-import shlex
 import shutil
 import subprocess
 import sys
@@ -23,7 +22,7 @@ import unittest
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "support"))
 
-from golden_programs import PROGRAMS, dialect_of, golden_files  # noqa: E402: it lies in another folder
+from golden_programs import PROGRAMS, arguments_of, dialect_of, golden_files  # noqa: E402: it lies in another folder
 
 OPTIONS = None
 # Least share of the tried lines of the golden programs that a preamble restores: less means that a row was lost.
@@ -102,9 +101,7 @@ def near(a, b):
 
 
 def arguments_of(program):
-    arguments = program.with_suffix(".args")
-    more = shlex.split(arguments.read_text()) if arguments.exists() else []
-    return [a for a in more if a not in OF_RUN]
+    return [a for a in arguments_of(program) if a not in OF_RUN]
 
 
 def unsafe(events):

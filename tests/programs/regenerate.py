@@ -11,23 +11,20 @@ wakes a syntax. Read an expectation against the control's manual before you comm
 import argparse
 import difflib
 import pathlib
-import shlex
 import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
-from golden_programs import dialect_of, golden_files  # noqa: E402: it lies in another folder
+from golden_programs import arguments_of, dialect_of, golden_files  # noqa: E402: it lies in another folder
 
 HERE = pathlib.Path(__file__).resolve().parent
 
 
 def command_of(isogloss, program, *more):
     """The command that the expectations are of; it runs in the program's folder."""
-    arguments = program.with_suffix(".args")
-    extra = shlex.split(arguments.read_text()) if arguments.exists() else []
     return [isogloss, "run", program.name, "-d", dialect_of(program), "--checked", "--emit", "motions", "--format", "csv",
-            *more, *extra]
+            *more, *arguments_of(program)]
 
 
 def results(isogloss, program, *more):

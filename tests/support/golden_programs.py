@@ -3,6 +3,7 @@
 Folders below a room hold the files that its programs call; they are no programs of their own.
 """
 import pathlib
+import shlex
 
 PROGRAMS = pathlib.Path(__file__).resolve().parents[1] / "programs"
 
@@ -10,6 +11,12 @@ PROGRAMS = pathlib.Path(__file__).resolve().parents[1] / "programs"
 def dialect_of(program):
     """The name of the dialect in whose folder the program stands."""
     return program.relative_to(PROGRAMS).parts[0]
+
+
+def arguments_of(program):
+    """The further arguments of `isogloss run` that NAME.args beside the program holds."""
+    file = program.with_suffix(".args")
+    return shlex.split(file.read_text()) if file.exists() else []
 
 
 def golden_files(suffix="", dialect="*"):
