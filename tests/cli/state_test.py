@@ -100,7 +100,7 @@ def near(a, b):
     return a == b
 
 
-def arguments_of(program):
+def arguments_of_a_restart(program):
     return [a for a in arguments_of(program) if a not in OF_RUN]
 
 
@@ -365,7 +365,7 @@ class State(unittest.TestCase):
             tried = restored = 0
             programs = [p for p in golden_files(".nc") if dialect_of(p) in family.split()]
             for program in programs[::OPTIONS.every]:
-                more = arguments_of(program)
+                more = arguments_of_a_restart(program)
                 common = ("-d", dialect_of(program), *more)
                 lines = program.read_bytes().decode(errors="surrogateescape").splitlines(True)
                 numbers = [n for n in range(2, len(lines) + 1) if lines[n - 1].strip()]
