@@ -225,7 +225,7 @@ TEST_CASE("a name at the end of a batch is its own event's") {
   const auto e = make_motion_exporter(out, {.format = Format::csv});
   e->begin(t.d, t.symbols);
   std::string expected;
-  for (std::uint32_t line = 1; line < 5000; ++line) {
+  for (std::uint32_t line = 1; line < 40000; ++line) {
     const std::string mode = "a name too long to stand beside its size, " + std::to_string(line);
     t.block(line);
     t.name("Coolant.Mode", mode);
@@ -241,7 +241,7 @@ TEST_CASE("an exporter may go while lines wait") {
   StringOutput out;
   const auto e = make_motion_exporter(out, {.format = Format::csv});
   e->begin(t.d, t.symbols);
-  for (std::uint32_t line = 1; line < 5000; ++line) {
+  for (std::uint32_t line = 1; line < 40000; ++line) {
     t.block(line);
     t.line(false, line, 0, 0);
     CHECK(e->block(t.d, t.symbols));

@@ -27,7 +27,7 @@ namespace isogloss {
 template <class Lines>
 class MotionQueue {
  public:
-  explicit MotionQueue(Lines lines) : lines_(std::move(lines)) { filling_ = &batches_[0]; }
+  explicit MotionQueue(Lines lines) : lines_(std::move(lines)) { fill(batches_[0]); }
   ~MotionQueue() {
     {
       const std::lock_guard lock(mutex_);
@@ -98,7 +98,9 @@ class MotionQueue {
   }
 
  private:
-  static constexpr std::size_t batch_size = 512;
+  // To wake a thread on another core takes as long as to write some hundred lines.
+  static constexpr std::size_t batch_size = 4096;
+  static constexpr std::size_t cache_line = 64;
   enum class Kind : std::uint8_t { file, move, dwell, orient, tool, spindle, coolant, stop, end };
   struct Event {
     Kind kind;
@@ -114,8 +116,8 @@ class MotionQueue {
     double at[9];
     std::uint32_t text;  // of Batch::texts
   };
-  struct Batch {
-    std::unique_ptr<Event[]> events = std::make_unique_for_overwrite<Event[]>(batch_size);
+  struct alignas(cache_line) Batch {
+    std::unique_ptr<Event[]> events;  // made when the batch is filled for the first time
     std::size_t count = 0;
     std::vector<Arc> arcs;          // of the arcs among the events, in their order
     std::deque<std::string> texts;  // names, which outlive the run that produced them
@@ -141,9 +143,26 @@ class MotionQueue {
   Event& add(Kind kind) {
     if (filling_->count == batch_size) hand_over();
     Event& e = filling_->events[filling_->count++];
+    prefetch(filling_->count);
     e.kind = kind;
     e.line = line_;
     return e;
+  }
+  /// The writer read this memory last, on another core, from which each line of the cache has to come back.
+  void prefetch(std::size_t next) const {
+    constexpr std::size_t ahead = 8;
+    const char* const at =
+        reinterpret_cast<const char*>(filling_->events.get() + std::min(next + ahead, batch_size - 1));
+    prefetch_to_write(at);
+    prefetch_to_write(at + cache_line);
+  }
+  static void prefetch_to_write(const char* at) {
+#ifdef __x86_64__
+    // Without -mprfchw, which not every processor has, __builtin_prefetch() asks to read and leaves the line shared.
+    asm volatile("prefetchw %0" : : "m"(*at));
+#else
+    __builtin_prefetch(at, 1);
+#endif
   }
   /// The event first: a full batch takes its names with it.
   Event& add_named(Kind kind, std::string_view text) {
@@ -154,6 +173,11 @@ class MotionQueue {
   std::uint32_t keep(std::string_view text) {
     filling_->texts.emplace_back(text);
     return static_cast<std::uint32_t>(filling_->texts.size() - 1);
+  }
+
+  void fill(Batch& batch) {
+    if (batch.events == nullptr) batch.events = std::make_unique_for_overwrite<Event[]>(batch_size);
+    filling_ = &batch;
   }
 
   void hand_over() {
@@ -180,7 +204,7 @@ class MotionQueue {
     ++submitted_;
     changed_.notify_all();
     changed_.wait(lock, [&] { return submitted_ - written_ < batch_count; });
-    filling_ = &batches_[submitted_ % batch_count];
+    fill(batches_[submitted_ % batch_count]);
   }
 
   void work() {
@@ -245,17 +269,17 @@ class MotionQueue {
     lines_.move(m);
   }
 
-  // The producer's.
-  Batch* filling_;
+  // The producer's. What each thread writes all the time has lines of the cache to itself.
+  alignas(cache_line) Batch* filling_;
   std::string_view file_;  // compared by address: within a run one file is named by the same text
   std::uint32_t line_ = 0;
   bool tried_ = false;
   // The writer's, which is the producer itself while there is no thread.
-  Lines lines_;
+  alignas(cache_line) Lines lines_;
   Move move_;
   std::string written_file_;
   // Both's: a batch belongs to the worker from submit() until it is counted as written.
-  Batch batches_[batch_count];
+  alignas(cache_line) Batch batches_[batch_count];
   std::atomic<bool> closed_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
