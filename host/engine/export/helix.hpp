@@ -31,7 +31,7 @@ struct Helix {
     }
   }
 
-  double at(int axis, double angle) const {
+  double at(unsigned axis, double angle) const {
     return center[axis] + r[axis] * std::cos(angle) + q[axis] * std::sin(angle) + rise[axis] * angle / sweep;
   }
 
@@ -49,7 +49,7 @@ struct Helix {
 
   /// Calls visit(position) for the turning points of one axis between start and end.
   template <class Visit>
-  void turning_points(int axis, Visit visit) const {
+  void turning_points(unsigned axis, Visit visit) const {
     const double radius = std::sqrt(r[axis] * r[axis] + q[axis] * q[axis]);
     if (sweep == 0 || radius <= std::abs(rise[axis] / sweep)) return;
     // q·cos φ - r·sin φ + rise/sweep = 0, as radius·cos(φ + shift) = -rise/sweep

@@ -54,6 +54,7 @@ class RecordExporter : public Exporter {
     reader_.begin(initial, symbols);
     timer_ = MoveTimer(initial.chain == nullptr ? RapidRates{} : rapid_rates(*initial.chain));
     timer_.begin(initial);
+    if (totals_) totals_->begin();
   }
   bool block(Document& document, const SymbolTable& symbols) override {
     records_.block(document.source);

@@ -196,7 +196,8 @@ bool MotionStreamReader::take(std::string_view bytes) {
   const bool is_aligned = reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(MotionRecord) == 0;
   for (; bytes.size() >= sizeof record; bytes.remove_prefix(sizeof record)) {
     if (!is_aligned) std::memcpy(&record, bytes.data(), sizeof record);
-    if (!take_record(is_aligned ? *reinterpret_cast<const MotionRecord*>(bytes.data()) : record)) return false;
+    const MotionRecord& next = is_aligned ? *reinterpret_cast<const MotionRecord*>(bytes.data()) : record;
+    if (!(is_line(next) ? take_line(next) : take_record(next))) return false;
   }
   waiting_ = bytes;
   return true;
@@ -225,6 +226,18 @@ bool MotionStreamReader::take_header() {
   has_header_ = true;
   waiting_.clear();
   return true;
+}
+
+/// A sound record of a rapid or a feed move, as nearly all are: one question in place of many.
+bool MotionStreamReader::is_line(const MotionRecord& record) const {
+  return record.event <= static_cast<unsigned>(Motion::Event::feed) && record.text == MotionRecord::no_text &&
+         record.known <= all_axes && record.file < texts_.size() && !has_circle_ && !text_goes_on_;
+}
+
+bool MotionStreamReader::take_line(const MotionRecord& record) {
+  ++records_;
+  ended_ = !on_record_(record, nullptr);
+  return !ended_;
 }
 
 bool MotionStreamReader::take_record(const MotionRecord& record) {

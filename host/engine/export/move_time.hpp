@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "export/helix.hpp"
@@ -15,6 +16,10 @@ namespace isogloss {
 /// Of the straight line in machine coordinates, by the axes from `first` up to `last`.
 inline double straight_length(const Move& m, unsigned first, unsigned last) {
   double sum = 0;
+  if (first == 0 && last == 3 && m.from.has_xyz() && m.machine.has_xyz()) {  // of nearly every move
+    for (unsigned i = 0; i < 3; ++i) sum += (m.machine.at[i] - m.from.at[i]) * (m.machine.at[i] - m.from.at[i]);
+    return std::sqrt(sum);
+  }
   for (unsigned i = first; i < last; ++i)
     if (m.from.has(i) && m.machine.has(i)) sum += (m.machine.at[i] - m.from.at[i]) * (m.machine.at[i] - m.from.at[i]);
   return std::sqrt(sum);
@@ -38,13 +43,16 @@ inline double arc_length(const Move& m) {
 
 struct MoveTime {
   double seconds = 0;
+  double length_mm = 0;    ///< of the path that a feed measures; of a rapid move: along a straight line
   bool is_known = true;    ///< false: an axis without a rapid rate, or a feed move without a feed
   bool is_slowed = false;  ///< an axis cannot follow the feed
 };
 
 class MoveTimer {
  public:
-  explicit MoveTimer(const RapidRates& rates) : rates_(rates) {}
+  explicit MoveTimer(const RapidRates& rates) : rates_(rates) {
+    for (unsigned i = 0; i < 6; ++i) rated_ |= static_cast<std::uint32_t>(rates.per_second[i] > 0) << i;
+  }
 
   void begin(const Document& initial) {
     const auto* const service =
@@ -54,31 +62,35 @@ class MoveTimer {
     lever_ = initial.layout().id("PivotTransform.Lever_mm");
   }
 
+  MoveTime of(const Move& m, const Document& document) const {
+    if (m.kind == Move::Kind::rapid) return rapid(m, document);
+    const bool is_arc = m.kind == Move::Kind::arc;
+    const double length = is_arc ? arc_length(m) : line_length(m);
+    MoveTime out = feed(m, is_arc || length > 0 ? length : straight_length(m, 3, 6), document);
+    out.length_mm = length;
+    return out;
+  }
+
+ private:
   MoveTime rapid(const Move& m, const Document& document) const {
     MoveTime out = time(m, 0, document);
-    for (unsigned i = 0; i < 6; ++i)
-      if (m.from.has(i) && m.machine.has(i) && m.machine.at[i] != m.from.at[i] && !(rates_.per_second[i] > 0))
-        out.is_known = false;
+    out.length_mm = straight_length(m, 0, 3);
+    for (std::uint32_t axes = m.from.known & m.machine.known & ~rated_; axes != 0; axes &= axes - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(axes));
+      if (m.machine.at[i] != m.from.at[i]) out.is_known = false;
+    }
     return out;
   }
   /// `length`: mm, or degrees of a move that turns rotary axes alone.
   MoveTime feed(const Move& m, double length, const Document& document) const {
     if (length == 0) return {};
-    if (!m.has_feed || !(m.feed_mmds > 0)) return {0, false, false};
+    if (!m.has_feed || !(m.feed_mmds > 0)) return {0, 0, false, false};
     return time(m, length / m.feed_mmds, document);
   }
-  MoveTime of(const Move& m, const Document& document) const {
-    if (m.kind == Move::Kind::rapid) return rapid(m, document);
-    if (m.kind == Move::Kind::arc) return feed(m, arc_length(m), document);
-    const double length = line_length(m);
-    return feed(m, length > 0 ? length : straight_length(m, 3, 6), document);
-  }
-
- private:
   /// Of a move whose feed alone would take this long; 0: a rapid move.
   MoveTime time(const Move& m, double feed_seconds, const Document& document) const {
     const double least = least_seconds(m);
-    MoveTime out{std::max(least, feed_seconds), true, least > feed_seconds * (1 + 1e-9)};
+    MoveTime out{std::max(least, feed_seconds), 0, true, least > feed_seconds * (1 + 1e-9)};
     if (m.is_led && kinematics_ != nullptr) {
       const LedMove::Time led = LedMove(*kinematics_, m, led_length(document)).time(feed_seconds, rates_.per_second);
       if (led.is_known) {
@@ -94,9 +106,10 @@ class MoveTimer {
   /// swing round while the tip moves a short distance.
   double least_seconds(const Move& m) const {
     double longest = 0;
-    for (unsigned i = 0; i < 6; ++i)
-      if (m.from.has(i) && m.machine.has(i) && rates_.per_second[i] > 0)
-        longest = std::max(longest, std::abs(m.machine.at[i] - m.from.at[i]) / rates_.per_second[i]);
+    for (std::uint32_t axes = m.from.known & m.machine.known & rated_; axes != 0; axes &= axes - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(axes));
+      longest = std::max(longest, std::abs(m.machine.at[i] - m.from.at[i]) / rates_.per_second[i]);
+    }
     return longest;
   }
   /// From the gauge point to the point of the tool's axis that is led.
@@ -108,6 +121,7 @@ class MoveTimer {
   }
 
   RapidRates rates_;
+  std::uint32_t rated_ = 0;  ///< a bit for each axis whose rapid rate is known
   const ig_machine_kinematics_1* kinematics_ = nullptr;
   ig_field tool_length_ = IG_NO_FIELD, lever_ = IG_NO_FIELD;
 };

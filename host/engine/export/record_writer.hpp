@@ -43,8 +43,8 @@ class RecordWriter {
                                         (m.has_feed ? MotionRecord::has_feed : 0));
     r.known = static_cast<std::uint16_t>((m.program.known & 7u) | m.machine.known << 3);
     r.text = plane;
-    for (unsigned i = 0; i < 3; ++i) r.program[i] = m.program.has(i) ? m.program.at[i] : unknown;
-    for (unsigned i = 0; i < 6; ++i) r.machine[i] = m.machine.has(i) ? m.machine.at[i] : unknown;
+    copy_known<3>(r.program, m.program);
+    copy_known<6>(r.machine, m.machine);
     r.feed = m.has_feed ? m.feed_mmds : unknown;
     r.seconds = seconds;
     if (is_arc) {
@@ -88,6 +88,16 @@ class RecordWriter {
 
  private:
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  template <unsigned count>
+  static void copy_known(double (&to)[count], const AxisPoint& from) {
+    if (from.known == 7u) {  // X Y Z and nothing else, as nearly always
+      std::memcpy(to, from.at, 3 * sizeof to[0]);
+      for (unsigned i = 3; i < count; ++i) to[i] = unknown;
+      return;
+    }
+    for (unsigned i = 0; i < count; ++i) to[i] = from.has(i) ? from.at[i] : unknown;
+  }
 
   /// All but the coordinates, feed and seconds.
   MotionRecord& add(Motion::Event event) {

@@ -15,6 +15,7 @@ class SummaryExporter : public Exporter {
   void begin(Document& initial, const SymbolTable& symbols) override {
     reader_.begin(initial, symbols);
     timer_.begin(initial);
+    totals_.begin();
   }
   bool block(Document& document, const SymbolTable& symbols) override {
     totals_.block();

@@ -73,6 +73,8 @@ class MotionStreamReader {
 
  private:
   bool take_header();
+  bool is_line(const MotionRecord& record) const;
+  bool take_line(const MotionRecord& record);
   bool take_record(const MotionRecord& record);
   bool take_text(const MotionRecord& record);
   bool take_event(const MotionRecord& record);
