@@ -3,8 +3,13 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <new>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -14,28 +19,38 @@
 namespace isogloss::python {
 
 /// Grows without copying: the system moves its pages. They are large ones where it has them: a million records are
-/// 30,000 small pages, which the system gives more slowly than a run fills them.
+/// 30,000 small pages, which the system gives more slowly than a run fills them. A thread asks for them ahead of the
+/// run, since a system in a virtual machine may take as long for a page as the run for its records.
 class RecordArray {
  public:
   RecordArray() = default;
   RecordArray(RecordArray&& other) noexcept
-      : data_(std::exchange(other.data_, nullptr)),
-        size_(std::exchange(other.size_, 0)),
-        capacity_(std::exchange(other.capacity_, 0)) {}
+      : data_(std::exchange(other.data_, nullptr)), capacity_(std::exchange(other.capacity_, 0)) {
+    other.rest();
+    size_ = other.size_.exchange(0);
+  }
   RecordArray& operator=(RecordArray&&) = delete;
   ~RecordArray() {
+    rest();
     if (data_ != nullptr) ::munmap(data_, capacity_ * sizeof(MotionRecord));
   }
 
   void append(const MotionRecord& record) {
-    if (size_ == capacity_) grow();
-    data_[size_++] = record;
+    const std::size_t at = size_.load(std::memory_order_relaxed);
+    if (at == capacity_) grow();
+    data_[at] = record;
+    size_.store(at + 1, std::memory_order_relaxed);
   }
   std::size_t size() const { return size_; }
   MotionRecord* data() { return data_; }
 
  private:
+  /// Whole pages of whole records.
+  static constexpr std::size_t first_bytes = 4096 * sizeof(MotionRecord);
+  static constexpr std::size_t asked_at_once = std::size_t{2} << 20, asked_ahead = std::size_t{16} << 20;
+
   void grow() {
+    rest();
     const std::size_t bytes = capacity_ * sizeof(MotionRecord), more = bytes == 0 ? first_bytes : 2 * bytes;
     void* const data = bytes == 0 ? ::mmap(nullptr, more, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
                                   : ::mremap(data_, bytes, more, MREMAP_MAYMOVE);
@@ -43,13 +58,36 @@ class RecordArray {
     ::madvise(data, more, MADV_HUGEPAGE);  // a refusal costs time, and nothing else
     data_ = static_cast<MotionRecord*>(data);
     capacity_ = more / sizeof(MotionRecord);
+    if (more - bytes >= asked_at_once) ask_ahead(bytes, more);
   }
 
-  /// Whole pages of whole records.
-  static constexpr std::size_t first_bytes = 4096 * sizeof(MotionRecord);
+  /// Without the thread, and where the system does not know the request, each page comes with its first record.
+  void ask_ahead(std::size_t begin, std::size_t end) {
+    try {
+      asks_ = true;
+      asker_ = std::thread([this, memory = reinterpret_cast<char*>(data_), at = begin, end]() mutable {
+        while (asks_ && at < end) {
+          if (at > size_.load(std::memory_order_relaxed) * sizeof(MotionRecord) + asked_ahead)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          else if (::madvise(memory + at, std::min(asked_at_once, end - at), MADV_POPULATE_WRITE) == 0)
+            at += asked_at_once;
+          else
+            return;
+        }
+      });
+    } catch (const std::system_error&) {
+    }
+  }
+  void rest() {
+    asks_ = false;
+    if (asker_.joinable()) asker_.join();
+  }
 
   MotionRecord* data_ = nullptr;
-  std::size_t size_ = 0, capacity_ = 0;
+  std::size_t capacity_ = 0;
+  std::atomic<std::size_t> size_ = 0;
+  std::atomic<bool> asks_ = false;
+  std::thread asker_;
 };
 
 /// Where an arc with a known centre lies. Laid out for numpy.
