@@ -146,20 +146,18 @@ def difference(isogloss, dialect, folder, text):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--isogloss", required=True, type=pathlib.Path)
-    parser.add_argument("--cases", type=int)
-    parser.add_argument("--slow", action="store_true", help="a build with sanitizers: fewer cases")
+    parser.add_argument("--cases", type=int, default=budgeted(100))
     parser.add_argument("--seed", default="1")
     parser.add_argument("--dialects", default="")
     parser.add_argument("--keep", type=pathlib.Path, help="write programs that disagree there")
     options = parser.parse_args()
-    cases = options.cases or budgeted(30 if options.slow else 100)
     isogloss = options.isogloss.resolve()
     wanted = options.dialects.split(",") if options.dialects else None
     programs = [(dialect_of(p), p.read_bytes()) for p in golden_files()
                 if p.suffix in SUFFIXES and (wanted is None or dialect_of(p) in wanted)]
     failures = 0
     with tempfile.TemporaryDirectory(prefix="isogloss-consistency-") as name:
-        for number in range(cases):
+        for number in range(options.cases):
             dialect, text = case(options.seed, number, programs)
             try:
                 what = difference(isogloss, dialect, pathlib.Path(name), text)
@@ -174,7 +172,7 @@ def main():
                 (options.keep / f"{options.seed}-{number}.{dialect}").write_bytes(text)
             if failures == 20:
                 break
-    print(f"{cases} cases, {failures} disagree")
+    print(f"{options.cases} cases, {failures} disagree")
     return 1 if failures else 0
 
 

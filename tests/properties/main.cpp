@@ -27,7 +27,6 @@ constexpr Property properties[] = {
 struct Wanted {
   std::uint64_t seed = 1;
   int cases = 0;      ///< 0: as many as the property says
-  int percent = 100;  ///< of these
   std::string dialect, property, file;
   std::optional<std::uint64_t> number;  ///< this case alone
   bool goes_on = false;                 ///< behind the first fault of a property in a dialect
@@ -49,8 +48,7 @@ void report(const Property& property, const Wanted& wanted, std::uint64_t number
 int try_property(const Property& property, const std::string& dialect, const Wanted& wanted) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const int usual = std::max(1, property.cases * wanted.percent / 100);
-  const int cases = wanted.cases != 0 ? wanted.cases : isogloss_test::budgeted(usual);
+  const int cases = wanted.cases != 0 ? wanted.cases : isogloss_test::budgeted(property.cases);
   int tried = 0, broken = 0, run = 0;
   for (std::uint64_t number = wanted.number.value_or(0);; ++number) {
     if (run == (wanted.number ? 1 : cases) || (broken != 0 && !wanted.goes_on)) break;
@@ -99,8 +97,6 @@ int main_of(int argc, char** argv) {
       wanted.seed = std::strtoull(value, nullptr, 10);
     else if (option == "--cases")
       wanted.cases = std::atoi(value);
-    else if (option == "--percent")
-      wanted.percent = std::atoi(value);
     else if (option == "--dialect")
       wanted.dialect = value;
     else if (option == "--property")
