@@ -180,7 +180,7 @@ class ProgressLine(unittest.TestCase):
                         self.assertEqual(status, 0, text[-400:])
                         shown = [p for p in re.split(r"\r\x1b\[K", text) if "] " in p and p.startswith("[")]
                         self.assertTrue(shown, text[:400])
-                        self.assertRegex(shown[0], rf"^\[#*\.*\] +\d+ %  .*" + ("" if columns == 60 else what))
+                        self.assertRegex(shown[0], r"^\[#*\.*\] +\d+ %  .*" + ("" if columns == 60 else what))
                         self.assertTrue(all(len(ESCAPE.sub("", p)) < columns for p in shown), shown[:3])
                         self.assertNotRegex(text.split("\r\x1b[K")[-1], r"^\[#", "it is gone at the end")
                     piped = in_pipe(*arguments, "-d", "fanuc")

@@ -252,7 +252,7 @@ class FiveAxes(PageCase):
             }
             return out;""")
         self.assertEqual(len(tips), len(moves))
-        length, checked = {}, 0
+        checked = 0
         for tip, move in zip(tips, moves):
             if move["Event"] == "dwell" or not all(a in move.get("MachineCoordinate", {}) for a in "XYZ"):
                 continue

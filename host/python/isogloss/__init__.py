@@ -30,5 +30,5 @@ from ._isogloss import version as __version__
 
 __all__ = [
     "Block", "Blocks", "CIRCLE", "Diagnostic", "EVENTS", "Error", "Fault", "Field", "MOTION", "MOTION_OFFSET", "Motion",
-    "Motions", "Result", "blocks", "dialects", "explain", "read_motions", "run", "syntax",
+    "Motions", "Result", "__version__", "blocks", "dialects", "explain", "read_motions", "run", "syntax",
 ]
