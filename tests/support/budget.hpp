@@ -1,5 +1,5 @@
-/// How many cases a random test runs: its own number, times ISOGLOSS_TEST_BUDGET. `./dev test --random` asks for more, the
-/// sanitizers of `./dev test` for less.
+/// How many cases a random test runs: its own number, times ISOGLOSS_TEST_BUDGET. `./dev test --random` asks for more,
+/// the sanitizers of `./dev test` for less.
 #pragma once
 
 #include <algorithm>
