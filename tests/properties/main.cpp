@@ -26,7 +26,7 @@ constexpr Property properties[] = {
 
 struct Wanted {
   std::uint64_t seed = 1;
-  int cases = 0;      ///< 0: as many as the property says
+  int cases = 0;  ///< 0: as many as the property says
   std::string dialect, property, file;
   std::optional<std::uint64_t> number;  ///< this case alone
   bool goes_on = false;                 ///< behind the first fault of a property in a dialect
