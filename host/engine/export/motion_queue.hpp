@@ -98,8 +98,9 @@ class MotionQueue {
   }
 
  private:
-  // To wake a thread on another core takes as long as to write some hundred lines.
-  static constexpr std::size_t batch_size = 4096;
+  // To wake a thread on another core takes as long as to write some hundred lines; but what waits here is lost where a
+  // plugin ends the process.
+  static constexpr std::size_t batch_size = 2048;
   static constexpr std::size_t cache_line = 64;
   enum class Kind : std::uint8_t { file, move, dwell, orient, tool, spindle, coolant, stop, end };
   struct Event {
@@ -138,7 +139,7 @@ class MotionQueue {
     Batch& batch_;
   };
   static constexpr std::string_view planes[] = {"XY", "ZX", "YZ"};
-  static constexpr std::size_t batch_count = 4;
+  static constexpr std::size_t batch_count = 3;
 
   Event& add(Kind kind) {
     if (filling_->count == batch_size) hand_over();
