@@ -162,6 +162,12 @@ Option CommandLine::option(const std::string& names, std::uint64_t& value, const
   return Option(added, parser_->words[added]).at_least(0);
 }
 
+Option CommandLine::option(const std::string& names, std::optional<std::uint64_t>& value,
+                           const std::string& description) {
+  CLI::Option* const added = parser_->add_option(names, value, description)->transform(without_zeros);
+  return Option(added, parser_->words[added]).at_least(0);
+}
+
 Option CommandLine::option(const std::string& names, std::vector<std::string>& values, const std::string& description) {
   CLI::Option* const added = parser_->add_option(names, values, description);
   if (names.starts_with('-')) added->allow_extra_args(false);

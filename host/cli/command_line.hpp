@@ -49,6 +49,8 @@ class CommandLine {
   Option option(const std::string& names, std::string& value, const std::string& description = {});
   Option option(const std::string& names, std::uint32_t& value, const std::string& description = {});
   Option option(const std::string& names, std::uint64_t& value, const std::string& description = {});
+  /// For an option of which a command has to know whether it was given.
+  Option option(const std::string& names, std::optional<std::uint64_t>& value, const std::string& description = {});
   /// Repeatable, one value each time; an operand takes all that are left.
   Option option(const std::string& names, std::vector<std::string>& values, const std::string& description = {});
   Option flag(const std::string& names, bool& value, const std::string& description);

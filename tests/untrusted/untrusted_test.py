@@ -472,7 +472,8 @@ class Untrusted(unittest.TestCase):
 
     def test_what_does_not_go_together_is_refused(self):
         for arguments, text in ((("view", "part.nc", "--serve", "--untrusted"), "--serve"),
-                                (("run", "part.nc", "--max-time", "5"), "--max-time belongs to --untrusted")):
+                                (("run", "part.nc", "--max-time", "5"), "--max-time belongs to --untrusted"),
+                                (("run", "part.nc", "--max-time", "600"), "--max-time belongs to --untrusted")):
             with self.subTest(arguments):
                 done = self.run_it(*arguments)
                 self.assertEqual(done.returncode, 2, done.stderr)

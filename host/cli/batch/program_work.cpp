@@ -50,7 +50,7 @@ UntrustedWork untrusted_work_of(const BatchArguments& arguments) {
 /// A little more time and memory than the batch allows, which it can tell more of when it ends the work itself.
 std::optional<int> enter_untrusted(const BatchArguments& arguments) {
   UntrustedOptions options = arguments.untrusted;
-  options.seconds = arguments.maximum_seconds == 0 ? 0 : arguments.maximum_seconds + 2;
+  if (options.on) options.seconds = arguments.maximum_seconds == 0 ? 0 : arguments.maximum_seconds + 2;
   UntrustedWork work = untrusted_work_of(arguments);
   work.memory_mib += work.memory_mib / 2;
   return cli::enter_untrusted(options, work);

@@ -1,6 +1,7 @@
 #include "sandbox/untrusted.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -218,7 +219,7 @@ void begin_work(const UntrustedOptions& options, const UntrustedWork& work, cons
   guard_confined();
   Confinement confinement;
   confinement.readable = readable_by(work);
-  confinement.processor_seconds = options.seconds;
+  confinement.processor_seconds = options.time_limit();
   constexpr std::uint64_t mib = std::uint64_t{1} << 20, of_libraries = 1024, least_file = 64;
   if (work.memory_mib != 0 && work.memory_mib < UINT64_MAX / mib / 2)
     confinement.address_space_bytes = (work.memory_mib + work.memory_mib / 4 + of_libraries) * mib;
@@ -308,7 +309,7 @@ std::optional<int> supervise(const UntrustedOptions& options, const UntrustedWor
   watch_calls(0);
   const std::uint64_t printed = std::max(work.output_bytes, std::uint64_t{64} << 20);
   const End end = watch_over(process, {lines.socket[0], lines.out[0], lines.errors[0]},
-                             {options.seconds, work.memory_mib, printed, readable_by(work)});
+                             {options.time_limit(), work.memory_mib, printed, readable_by(work)});
   const int status = conclude(end, *state, work, *outputs, reports);
   outputs.reset();
   if (end.signal != 0 && end.how != End::How::by_itself) die_of(end.signal);
@@ -328,11 +329,11 @@ void UntrustedOptions::add_flag_to(CommandLine& line) {
 
 void UntrustedOptions::add_to(CommandLine& line) {
   add_flag_to(line);
-  line.option("--max-time", seconds, "With --untrusted: stop the work when it takes longer (0: never)")
+  line.option("--max-time", seconds,
+              fmt::format("With --untrusted: stop the work when it takes longer (0: never; {} if not given)",
+                          usual_seconds))
       .type_name("SECONDS")
-      .shows_default()
       .group("Untrusted programs and plugins");
-  has_time_ = true;
 }
 
 void UntrustedWork::add_dialect(const std::string& dialect) {

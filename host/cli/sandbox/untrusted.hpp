@@ -13,17 +13,16 @@ namespace isogloss::cli {
 struct UntrustedOptions {
   static constexpr std::uint64_t usual_seconds = 600;
   bool on = false;
-  std::uint64_t seconds = usual_seconds;
+  std::optional<std::uint64_t> seconds;  ///< as given
 
   /// --untrusted and --max-time.
   void add_to(CommandLine& line);
   /// --untrusted alone, where the command has a --max-time of its own.
   void add_flag_to(CommandLine& line);
   /// A time was given, and nothing keeps it.
-  bool is_time_unused() const { return has_time_ && !on && seconds != usual_seconds; }
-
- private:
-  bool has_time_ = false;
+  bool is_time_unused() const { return !on && seconds; }
+  /// 0: none.
+  std::uint64_t time_limit() const { return seconds.value_or(usual_seconds); }
 };
 
 /// What the work needs from outside.
