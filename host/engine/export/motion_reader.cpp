@@ -13,9 +13,6 @@ constexpr double same_place_mm = 1e-7;
 /// Ends of an arc that are closer make a full circle.
 constexpr double closed_arc_mm = 1e-6;
 
-/// A point that has X, Y and Z and nothing else: what a machine with three axes moves to.
-constexpr std::uint32_t xyz = 7;
-
 constexpr const char* axis_names[] = {"X", "Y", "Z", "A", "B", "C"};
 
 double degrees(double radians) { return radians * (180 / std::numbers::pi); }
@@ -28,9 +25,9 @@ struct PlaneAxes {
 void copy_xyz(double (&to)[6], const double (&from)[6]) { std::memcpy(to, from, 3 * sizeof from[0]); }
 
 void advance(AxisPoint& position, const AxisPoint& to) {
-  if (to.known == xyz) {
+  if (to.known == AxisPoint::xyz) {
     copy_xyz(position.at, to.at);
-    position.known |= xyz;
+    position.known |= AxisPoint::xyz;
     return;
   }
   for (unsigned i = 0; (to.known >> i) != 0; ++i)
@@ -176,7 +173,7 @@ template <class Values>
 void MotionReader::read_point(const Values& values, const AxisFields& fields, AxisPoint& point) {
   if (fields.run != 0) {
     point.known = static_cast<std::uint32_t>(values.bits_from(fields.ids[0])) & fields.run;
-    if (point.known == xyz) {
+    if (point.known == AxisPoint::xyz) {
       for (unsigned i = 0; i < 3; ++i) point.at[i] = values.number(fields.ids[0] + i);
       return;
     }
@@ -229,7 +226,7 @@ const Move* MotionReader::make_move(const Values& values, const Fields& fields, 
 bool MotionReader::goes_nowhere() const {
   const AxisPoint& to = move_.machine;
   const auto is_there = [&](unsigned i) { return std::abs(to.at[i] - position_.at[i]) <= same_place_mm; };
-  if (to.known == xyz && position_.has_xyz()) return is_there(0) && is_there(1) && is_there(2);
+  if (to.known == AxisPoint::xyz && position_.has_xyz()) return is_there(0) && is_there(1) && is_there(2);
   if (to.known == 0 || (to.known & ~position_.known) != 0) return false;
   for (unsigned i = 0; (to.known >> i) != 0; ++i)
     if (to.has(i) && !is_there(i)) return false;

@@ -10,10 +10,12 @@ namespace isogloss {
 
 /// A point of which some axes may be unknown: X Y Z A B C, a bit for each that is known.
 struct AxisPoint {
+  /// X, Y and Z and nothing else: what a machine with three axes moves to.
+  static constexpr std::uint32_t xyz = 7;
   double at[6] = {};
   std::uint32_t known = 0;
   bool has(unsigned axis) const { return (known >> axis & 1u) != 0; }
-  bool has_xyz() const { return (known & 7u) == 7u; }
+  bool has_xyz() const { return (known & xyz) == xyz; }
 };
 
 /// Where an arc lies. With N the normal, it runs `sweep_deg()` about N: counter-clockwise when positive, whole turns

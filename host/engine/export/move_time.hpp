@@ -16,7 +16,7 @@ namespace isogloss {
 /// Of the straight line in machine coordinates, by the axes from `first` up to `last`.
 inline double straight_length(const Move& m, unsigned first, unsigned last) {
   double sum = 0;
-  if (first == 0 && last == 3 && m.from.has_xyz() && m.machine.has_xyz()) {  // of nearly every move
+  if (first == 0 && last == 3 && m.from.has_xyz() && m.machine.has_xyz()) {
     for (unsigned i = 0; i < 3; ++i) sum += (m.machine.at[i] - m.from.at[i]) * (m.machine.at[i] - m.from.at[i]);
     return std::sqrt(sum);
   }

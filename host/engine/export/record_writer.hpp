@@ -91,7 +91,7 @@ class RecordWriter {
 
   template <unsigned count>
   static void copy_known(double (&to)[count], const AxisPoint& from) {
-    if (from.known == 7u) {  // X Y Z and nothing else, as nearly always
+    if (from.known == AxisPoint::xyz) {
       std::memcpy(to, from.at, 3 * sizeof to[0]);
       for (unsigned i = 3; i < count; ++i) to[i] = unknown;
       return;

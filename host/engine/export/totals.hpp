@@ -110,8 +110,8 @@ class Totals {
     widen_all(program_known_, m.program, 3, s_.program_minimum, s_.program_maximum);
   }
   static void widen_all(std::uint32_t& known, const AxisPoint& to, unsigned axes, double* minimum, double* maximum) {
-    constexpr std::uint32_t xyz = 7;
-    if (to.known == xyz && (known & xyz) == xyz) {  // of nearly every move
+    constexpr std::uint32_t xyz = AxisPoint::xyz;
+    if (to.known == xyz && (known & xyz) == xyz) {
       for (unsigned i = 0; i < 3; ++i) {
         minimum[i] = std::min(minimum[i], to.at[i]);
         maximum[i] = std::max(maximum[i], to.at[i]);
