@@ -24,14 +24,15 @@ namespace isogloss::python {
 class RecordArray {
  public:
   RecordArray() = default;
-  RecordArray(RecordArray&& other) noexcept
-      : data_(std::exchange(other.data_, nullptr)), capacity_(std::exchange(other.capacity_, 0)) {
-    other.rest();
+  RecordArray(RecordArray&& other) noexcept {
+    other.asker_ = {};
+    data_ = std::exchange(other.data_, nullptr);
+    capacity_ = std::exchange(other.capacity_, 0);
     size_ = other.size_.exchange(0);
   }
   RecordArray& operator=(RecordArray&&) = delete;
   ~RecordArray() {
-    rest();
+    asker_ = {};
     if (data_ != nullptr) ::munmap(data_, capacity_ * sizeof(MotionRecord));
   }
 
@@ -50,7 +51,7 @@ class RecordArray {
   static constexpr std::size_t asked_at_once = std::size_t{2} << 20, asked_ahead = std::size_t{16} << 20;
 
   void grow() {
-    rest();
+    asker_ = {};
     const std::size_t bytes = capacity_ * sizeof(MotionRecord), more = bytes == 0 ? first_bytes : 2 * bytes;
     void* const data = bytes == 0 ? ::mmap(nullptr, more, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
                                   : ::mremap(data_, bytes, more, MREMAP_MAYMOVE);
@@ -64,9 +65,9 @@ class RecordArray {
   /// Without the thread, and where the system does not know the request, each page comes with its first record.
   void ask_ahead(std::size_t begin, std::size_t end) {
     try {
-      asks_ = true;
-      asker_ = std::thread([this, memory = reinterpret_cast<char*>(data_), at = begin, end]() mutable {
-        while (asks_ && at < end) {
+      asker_ = std::jthread([this, begin, end](const std::stop_token& stop) {
+        char* const memory = reinterpret_cast<char*>(data_);
+        for (std::size_t at = begin; at < end && !stop.stop_requested();) {
           if (at > size_.load(std::memory_order_relaxed) * sizeof(MotionRecord) + asked_ahead)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
           else if (::madvise(memory + at, std::min(asked_at_once, end - at), MADV_POPULATE_WRITE) == 0)
@@ -78,16 +79,10 @@ class RecordArray {
     } catch (const std::system_error&) {
     }
   }
-  void rest() {
-    asks_ = false;
-    if (asker_.joinable()) asker_.join();
-  }
-
   MotionRecord* data_ = nullptr;
   std::size_t capacity_ = 0;
   std::atomic<std::size_t> size_ = 0;
-  std::atomic<bool> asks_ = false;
-  std::thread asker_;
+  std::jthread asker_;  ///< rests before the memory moves or goes
 };
 
 /// Where an arc with a known centre lies. Laid out for numpy.

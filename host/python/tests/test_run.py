@@ -164,6 +164,16 @@ def test_threads_run_at_once(part):
     assert not faults
 
 
+def test_arrays_keep_every_record_while_they_grow():
+    count = 120_000  # 14 MB: their memory moves several times, while a thread asks for more of it
+    text = "O1\nG90 G54 G94 F100.\n" + "".join(f"G1 X{n}.\n" for n in range(1, count + 1)) + "M30\n"
+    for result in [isogloss.run(text=text, dialect="iso") for _ in range(2)]:
+        moves = result.motions[result.is_move()]
+        assert np.array_equal(moves["program"][:, 0], np.arange(1, count + 1))
+        assert np.array_equal(moves["line"], np.arange(3, count + 3))
+        assert result.summary["machine_extents"]["X"] == (0, count)
+
+
 def test_other_threads_go_on_during_a_run():
     text = "O1\nG90 G54 G94\n" + "G1 X1. F100\nX2.\n" * 150_000 + "M30\n"
     ticks, over = [0], threading.Event()
