@@ -158,6 +158,30 @@ TEST_CASE("the way from home counts as rapid length, home itself not as reached"
   CHECK(s.minimum[0] == -10);
 }
 
+TEST_CASE("a cut from where no move has led counts its start, in each run") {
+  TestDocument t;
+  Summary s;
+  const auto e = make_summary_exporter(s, {});
+  const auto run = [&](double home, std::initializer_list<bool> rapids) {
+    t.block(0);
+    t.place(home, 0, 0);
+    e->begin(t.d, t.symbols);
+    double x = 10;
+    for (const bool is_rapid : rapids) {
+      t.block(1);
+      t.line(is_rapid, x++, 0, 0, 5);
+      CHECK(e->block(t.d, t.symbols));
+    }
+  };
+  run(90, {true, false});
+  CHECK(s.maximum[0] == 11);
+  run(-20, {false});
+  CHECK(s.minimum[0] == -20);
+  run(-30, {true, false});
+  CHECK(s.minimum[0] == -20);
+  CHECK(s.maximum[0] == 11);
+}
+
 TEST_CASE("an arc has its length and its bulge") {
   // Counter-clockwise from 0 to 270 degrees about (100, 0): it passes the top and the left.
   const Summary s = summarize({[](TestDocument& t) {
