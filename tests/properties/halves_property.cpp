@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 #include <sys/wait.h>
 
@@ -83,12 +84,13 @@ std::uint32_t chosen_line(const Case& program) {
   return lines.empty() ? 0 : lines[program.seed % lines.size()];
 }
 
-std::string compare(const Case& program, const std::string& text, const std::string& preamble,
-                    const std::string& rest) {
+/// What differs; empty: nothing. None where a limit ended the whole before its own end.
+std::optional<std::string> compare(const Case& program, const std::string& text, const std::string& preamble,
+                                   const std::string& rest) {
   DiagnosticList said, unheard;
   const Events whole = events_of(program.dialect, text, options_of(program), {true}, {}, said);
   const auto is_limit = [](const Diagnostic& d) { return d.code == "IG-0407" || d.code == "IG-0455"; };
-  if (std::any_of(said.all.begin(), said.all.end(), is_limit)) return {};  // a limit ended it before its own end
+  if (std::any_of(said.all.begin(), said.all.end(), is_limit)) return std::nullopt;
   Events again = events_of(program.dialect, preamble + rest, options_of(program), {true}, {}, unheard);
   const auto head = static_cast<std::uint32_t>(std::count(preamble.begin(), preamble.end(), '\n'));
   const auto last = std::find_if(again.rbegin(), again.rend(), [&](const Event& e) { return e.line <= head; });
@@ -98,7 +100,7 @@ std::string compare(const Case& program, const std::string& text, const std::str
   for (std::size_t i = 0; i < again.size(); ++i)
     if (!same(tail[static_cast<std::ptrdiff_t>(i)], again[i]))
       return "another motion in line " + std::to_string(again[i].line) + " of the second half";
-  return {};
+  return "";
 }
 
 }  // namespace
@@ -123,8 +125,9 @@ Verdict judge_halves(const Case& program) {
   if (made.errors.find("IG-0198") != std::string::npos) return {};
   std::string rest;
   for (std::size_t i = begin - 1; i < program.lines.size(); ++i) rest += program.lines[i] + "\n";
-  const std::string fault = compare(program, text, made.preamble, rest);
-  return {true, fault.empty() ? "" : where + fault + "\n" + made.preamble};
+  const std::optional<std::string> fault = compare(program, text, made.preamble, rest);
+  if (!fault) return {};
+  return {true, fault->empty() ? "" : where + *fault + "\n" + made.preamble};
 }
 
 }  // namespace isogloss::properties
