@@ -152,20 +152,23 @@ Option CommandLine::option(const std::string& names, std::string& value, const s
   return Option(added, parser_->words[added]);
 }
 
-Option CommandLine::option(const std::string& names, std::uint32_t& value, const std::string& description) {
+template <class Number>
+Option CommandLine::number(const std::string& names, Number& value, const std::string& description) {
   CLI::Option* const added = parser_->add_option(names, value, description)->transform(without_zeros);
   return Option(added, parser_->words[added]).at_least(0);
 }
 
+Option CommandLine::option(const std::string& names, std::uint32_t& value, const std::string& description) {
+  return number(names, value, description);
+}
+
 Option CommandLine::option(const std::string& names, std::uint64_t& value, const std::string& description) {
-  CLI::Option* const added = parser_->add_option(names, value, description)->transform(without_zeros);
-  return Option(added, parser_->words[added]).at_least(0);
+  return number(names, value, description);
 }
 
 Option CommandLine::option(const std::string& names, std::optional<std::uint64_t>& value,
                            const std::string& description) {
-  CLI::Option* const added = parser_->add_option(names, value, description)->transform(without_zeros);
-  return Option(added, parser_->words[added]).at_least(0);
+  return number(names, value, description);
 }
 
 Option CommandLine::option(const std::string& names, std::vector<std::string>& values, const std::string& description) {

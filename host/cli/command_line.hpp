@@ -60,6 +60,8 @@ class CommandLine {
 
  private:
   struct Parser;
+  template <class Number>
+  Option number(const std::string& names, Number& value, const std::string& description);
   void describe(Usage& usage) const;
   std::unique_ptr<Parser> parser_;
 };
