@@ -12,6 +12,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -31,10 +32,23 @@ CASES = [("surface", "none"), ("surface", "csv"), ("surface", "jsonl"), ("mixed"
          ("drilling", "none"), ("drilling", "csv"), ("five-axis", "none")]
 
 
+def without_debug_information(isogloss, folder):
+    """A copy of the command and its plugins: valgrind reads all debug information at each start, half of its time here."""
+    if shutil.which("strip") is None:
+        return isogloss
+    (folder / "plugins").mkdir(parents=True)
+    for name in ("isogloss", *(f"plugins/{p.name}" for p in (isogloss.parent / "plugins").glob("*.so"))):
+        subprocess.run(["strip", "-o", folder / name, isogloss.parent / name], check=True)
+    for name in ("dialects", "schemas"):
+        (folder / name).symlink_to((isogloss.parent / name).resolve())
+    return folder / "isogloss"
+
+
 class Counter:
     def __init__(self, options, folder):
         self.options = options
         self.folder = folder
+        self.isogloss = without_debug_information(options.isogloss.resolve(), folder / "stripped")
         rows = "".join(f'  <Tool id="{t}" H="{100 + 2.5 * t}"/>\n' for t in range(1, 21))
         self.tools = folder / "tools.xml"
         self.tools.write_text(f"<ToolOffsetTable>\n{rows}</ToolOffsetTable>\n")
@@ -57,7 +71,7 @@ class Counter:
 
     def count(self, kind, lines, arguments, dialect):
         command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", f"--cachegrind-out-file={self.folder}/counts",
-                   self.options.isogloss, "run", self.program_in(dialect, kind, lines), "-d", dialect, "--watchdog", "0", *arguments]
+                   self.isogloss, "run", self.program_in(dialect, kind, lines), "-d", dialect, "--watchdog", "0", *arguments]
         command += ["--machine", HERE / "five_axis.xml"] if kind == "five-axis" else ["--tools", self.tools]
         done = subprocess.run([str(part) for part in command], capture_output=True, text=True, env=self.environment)
         found = re.search(r"I +refs: +([\d,]+)", done.stderr)
