@@ -9,6 +9,7 @@ takes minutes: such options stand in options_elsewhere.txt and are checked by --
 """
 import argparse
 import collections
+import functools
 import json
 import pathlib
 import re
@@ -62,6 +63,7 @@ def main():
             pages[part].append(page)
     number, unheld = 0, []
     with tempfile.TemporaryDirectory(prefix="isogloss-options-") as folder:
+        programs = Programs(isogloss, options.source, pathlib.Path(folder))
         for kind in ("syntaxes", "dependencies"):
             for part in json.loads(run(isogloss, "list", kind, "--json", status=0).stdout):
                 declared = json.loads(run(isogloss, "inspect", part["Id"], "--json", status=0).stdout)
@@ -72,7 +74,6 @@ def main():
                         continue
                     if any(is_held(isogloss, page, *key, pathlib.Path(folder)) for page in pages[part["Id"]]):
                         continue
-                    programs = Programs(isogloss, options.source, pathlib.Path(folder))
                     if programs.notice_the_loss(*key):
                         continue
                     if key not in known or not programs.notice(kind, part["Id"], option):
@@ -88,23 +89,31 @@ class Programs:
 
     def __init__(self, isogloss, source, folder):
         self.isogloss, self.source, self.folder = isogloss, source, folder
+        self.outcomes = {}  # of each program in its dialect as it is
+
+    def outcome(self, program, dialect, dialects):
+        """Status, motions and diagnostics."""
+        arguments = program.with_suffix(".args")
+        more = arguments.read_text().split() if arguments.exists() else []
+        done = subprocess.run([self.isogloss, "run", program.name, "-d", dialect, "--dialects", dialects.resolve(),
+                               "--format", "csv", *more], capture_output=True, timeout=60, check=False, cwd=program.parent)
+        return done.returncode, done.stdout, done.stderr
+
+    def outcome_as_it_is(self, program, dialect):
+        key = program, dialect
+        if key not in self.outcomes:
+            self.outcomes[key] = self.outcome(program, dialect, self.source / "dialects")
+        return self.outcomes[key]
 
     def differ(self, name, dialects, one, other):
         """Does a program of the dialect give another result in its other form?"""
         for program in golden_files(".nc", name):
             if program.stat().st_size > 6000:
                 continue
-            arguments = program.with_suffix(".args")
-            more = arguments.read_text().split() if arguments.exists() else []
-            outcomes = []
-            for dialect, folder in ((one, self.source / "dialects"), (other, dialects)):
-                done = subprocess.run([self.isogloss, "run", program.name, "-d", dialect, "--dialects",
-                                       folder.resolve(), "--format", "csv", *more], capture_output=True, timeout=60,
-                                      check=False, cwd=program.parent)
-                if done.returncode == 2:
-                    return False  # no such form
-                outcomes.append((done.stdout, done.stderr))
-            if outcomes[0] != outcomes[1]:
+            before, after = self.outcome_as_it_is(program, one), self.outcome(program, other, dialects)
+            if after[0] == 2:
+                return False  # no such form
+            if before[1:] != after[1:]:
                 return True
         return False
 
@@ -160,12 +169,16 @@ def is_held(isogloss, page, part, option, folder):
     without, count = given.subn(r"\1", text)
     if count == 0:
         return False
-    changed = folder / "changed.md"
-    changed.write_text(text)
-    if run(isogloss, "case", changed).returncode != 0:
-        return False  # it fails for another reason
-    changed.write_text(without)
-    return run(isogloss, "case", changed).returncode != 0
+    # Held, unless the page fails for another reason.
+    return not holds(isogloss, without, folder) and holds(isogloss, text, folder)
+
+
+@functools.cache
+def holds(isogloss, text, folder):
+    """Do all cases of this page hold?"""
+    page = folder / "changed.md"
+    page.write_text(text)
+    return run(isogloss, "case", page).returncode == 0
 
 
 if __name__ == "__main__":
