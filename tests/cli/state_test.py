@@ -8,6 +8,7 @@ motions of the whole from there; where none is written, a diagnostic says why an
 here knows nothing of the command's own: it runs both programs and reads their motions.
 """
 import argparse
+import functools
 import json
 import os
 import pathlib
@@ -98,6 +99,12 @@ def near(a, b):
     if isinstance(a, (int, float)) and not isinstance(a, bool):
         return abs(a - b) <= 2e-5 * max(1, abs(a) / 100)
     return a == b
+
+
+@functools.lru_cache(maxsize=1)  # many lines of one program are tried, one after another
+def events_of_the_whole(program, common, run):
+    whole = command("run", program.name, *common, *run, cwd=program.parent)
+    return [json.loads(line) for line in whole.stdout.splitlines()]
 
 
 def arguments_of_a_restart(program):
@@ -396,7 +403,7 @@ class State(unittest.TestCase):
         restart = program.with_name("restart-of-this-test.nc")
         restart.write_bytes((preamble + rest).encode(errors="surrogateescape"))
         try:
-            common = [a for i, a in enumerate(common) if a != "--program" and (i == 0 or common[i - 1] != "--program")]
+            common = tuple(a for i, a in enumerate(common) if a != "--program" and (i == 0 or common[i - 1] != "--program"))
             again = command("run", restart.name, *common, *run, cwd=program.parent)
         finally:
             restart.unlink()
@@ -408,8 +415,7 @@ class State(unittest.TestCase):
         # What G10 has set stays in the control; these two runs would begin with other tables.
         if has_other_tables:
             return
-        whole = command("run", program.name, *common, *run, cwd=program.parent)
-        tail = [e for e in map(json.loads, whole.stdout.splitlines())]
+        tail = events_of_the_whole(program, common, run)
         after = events[begin:]
         self.assertEqual(same_events(tail[len(tail) - len(after):] if after else [], after), "", f"line {number}\n{preamble}")
 
