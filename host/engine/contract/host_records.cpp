@@ -49,6 +49,31 @@ ListData* list_of_all(Document& d, const ig_field* fields, std::uint32_t count) 
   return &list;
 }
 
+[[gnu::noinline]] bool find_shape(Document& d, const ig_field* fields, std::uint32_t count, RecordShape& out) {
+  if (list_of_all(d, fields, count) == nullptr) return false;
+  out.count = RecordShape::none;
+  out.list = static_cast<std::uint32_t>(list_of(fields[0]));
+  out.mask = 0;
+  for (std::uint32_t i = 0; i < count; ++i) out.mask |= std::uint64_t{1} << index_in_record(fields[i]);
+  if (count > RecordShape::most_fields) return true;
+  std::copy_n(fields, count, out.fields.begin());
+  out.count = count;
+  return true;
+}
+
+/// Null where the fields are not of one list. Mostly they are those of an earlier call.
+inline const RecordShape* shape_of(Document& d, const ig_field* fields, std::uint32_t count) {
+  RecordShape& shape = d.record_shapes.at(fields);
+  return shape.is(fields, count) || find_shape(d, fields, count, shape) ? &shape : nullptr;
+}
+
+[[gnu::cold, gnu::noinline]] void tell_full(Document& d, ListData& list) {
+  if (list.count > maximum_items) return;
+  const Diagnostic text = host_diagnostic("IG-0405", {}, {std::to_string(maximum_items)});
+  d.chain->report(d, text.severity, text.code, text.message, 0, 0);
+  list.add(0);  // says it once: an empty record past the limit
+}
+
 }  // namespace
 
 template <Mode M>
@@ -76,25 +101,19 @@ std::int32_t leftover(const ig_block* block, std::uint32_t index, ig_leftover* o
 template <Mode M>
 std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
   Document& d = doc(block);
-  ListData* const list = list_of_all(d, fields, count);
-  if (!may_use<M>(d, list, fields, count, v)) return 0;
-  if (list->count >= maximum_items) {
-    if (list->count == maximum_items) {
-      const Diagnostic text = host_diagnostic("IG-0405", {}, {std::to_string(maximum_items)});
-      d.chain->report(d, text.severity, text.code, text.message, 0, 0);
-      list->add(0);  // says it once: an empty record past the limit
-    }
+  if constexpr (M == Mode::checked)
+    if (!may_use<M>(d, list_of_all(d, fields, count), fields, count, v)) return 0;
+  const RecordShape* const shape = shape_of(d, fields, count);
+  if (shape == nullptr) return 0;
+  ListData& list = d.lists[shape->list];
+  if (list.count >= maximum_items) [[unlikely]] {
+    tell_full(d, list);
     return 0;
   }
-  ig_value* const record = list->add(0);
-  std::uint64_t present = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    record[index_in_record(fields[i])] = v[i];
-    present |= std::uint64_t{1} << index_in_record(fields[i]);
-  }
-  list->present.back() = present;
-  d.wake_by_list(list_of(fields[0]));
+  ig_value* const record = list.add(shape->mask);
+  for (std::uint32_t i = 0; i < count; ++i) record[index_in_record(fields[i])] = v[i];
   if (d.chain != nullptr) ++d.chain->records;
+  d.wake_by_list(shape->list);
   return 1;
 }
 
@@ -139,21 +158,21 @@ template <Mode M>
   const ig_field all[6] = {program[0], program[1], program[2], machine[0], machine[1], machine[2]};
   ListData* const list = list_of_all(d, all, 6);
   if (!may_use<M>(d, list, all, 6, nullptr)) return;
-  std::uint64_t wanted = 0, given = 0;
-  for (int i = 0; i < 3; ++i) {
-    wanted |= std::uint64_t{1} << index_in_record(program[i]);
-    given |= std::uint64_t{1} << index_in_record(machine[i]);
-  }
+  std::size_t at[6];
+  for (int i = 0; i < 6; ++i) at[i] = index_in_record(all[i]);
+  const std::uint64_t wanted = std::uint64_t{1} << at[0] | std::uint64_t{1} << at[1] | std::uint64_t{1} << at[2];
+  const std::uint64_t given = std::uint64_t{1} << at[3] | std::uint64_t{1} << at[4] | std::uint64_t{1} << at[5];
   const Frame& frame = d.composed();
-  for (std::uint32_t r = 0; r < list->count; ++r) {
-    if ((list->present[r] & wanted) != wanted || (list->present[r] & given) != 0) continue;
-    ig_value* const v = list->record(r);
-    const double from[3] = {v[index_in_record(program[0])].number, v[index_in_record(program[1])].number,
-                            v[index_in_record(program[2])].number};
-    double to[3];
-    frame.map(from, to);
-    for (int i = 0; i < 3; ++i) v[index_in_record(machine[i])].number = to[i];
-    list->present[r] |= given;
+  ig_value* v = list->values.data();
+  for (std::uint64_t& present : list->present) {
+    if ((present & (wanted | given)) == wanted) {
+      const double from[3] = {v[at[0]].number, v[at[1]].number, v[at[2]].number};
+      double to[3];
+      frame.map(from, to);
+      for (int i = 0; i < 3; ++i) v[at[3 + i]].number = to[i];
+      present |= given;
+    }
+    v += list->stride;
   }
 }
 

@@ -1,9 +1,12 @@
-// The calls for three fields side by side do what the calls for several do, wherever the three lie.
+// The calls for three fields side by side do what the calls for several do, wherever the three lie. Records get the
+// fields that each call names.
 #include "contract/host_table.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace isogloss {
 namespace {
@@ -102,6 +105,49 @@ TEST_CASE("what a block shows is what the calls answer") {
 TEST_CASE("a host that looks at every access shows nothing") {
   CHECK(host_table(Mode::checked).flags == 0);
   CHECK(host_table(Mode::traced).flags == 0);
+}
+
+TEST_CASE("a record has the fields that its call names, whatever an earlier call named there") {
+  Layout layout;
+  for (const char* list : {"Test.Items", "Test.Others"}) {
+    layout.lists.push_back({list, {}});
+    for (int i = 0; i < 20; ++i)
+      layout.lists.back().fields.push_back(
+          {"Test.F" + std::to_string(i), IG_NUMBER, IG_LIFE_BLOCK, "", "", false, IG_NO_FIELD});
+  }
+  layout.index();
+  Document d(layout, {}, 2);
+  d.begin({"part.nc", 1, 0, ""});
+  const ig_host& host = host_table(Mode::fast);
+  std::vector<ig_field> fields;
+  std::vector<ig_value> values;
+  const auto append = [&](std::size_t list, std::initializer_list<std::size_t> indexes) {
+    fields.clear();
+    values.clear();
+    for (const std::size_t i : indexes) {
+      fields.push_back(record_field(list, i));
+      values.push_back({.number = static_cast<double>(i)});
+    }
+    return host.append(block(d), fields.data(), static_cast<std::uint32_t>(fields.size()), values.data());
+  };
+  fields.reserve(32);  // all calls name their fields in the same place
+  CHECK(append(0, {0, 1, 2}) == 1);
+  CHECK(append(0, {3, 1, 2}) == 1);
+  CHECK(append(1, {3, 1}) == 1);
+  CHECK(append(0, {3, 20}) == 0);
+  CHECK(append(0, {}) == 0);
+  CHECK(append(2, {3, 1}) == 0);
+  const std::initializer_list<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19};
+  CHECK(append(1, all) == 1);
+  CHECK(append(1, all) == 1);
+  fields = {record_field(0, 0), record_field(1, 1)};
+  CHECK(host.append(block(d), fields.data(), 2, values.data()) == 0);
+  REQUIRE(d.lists[0].count == 2);
+  CHECK(d.lists[0].present == std::vector<std::uint64_t>{7, 14});
+  CHECK(d.lists[0].record(1)[3].number == 3);
+  REQUIRE(d.lists[1].count == 3);
+  CHECK(d.lists[1].present == std::vector<std::uint64_t>{10, 0xfffff, 0xfffff});
+  CHECK(d.lists[1].record(2)[19].number == 19);
 }
 
 TEST_CASE("three fields of no document are none") {

@@ -45,6 +45,9 @@ std::int32_t take(ig_block* block, ig_field f, ig_value* out) {
 
 template <Mode M>
 std::uint32_t take_many(ig_block* block, const ig_field* fields, std::uint32_t count, ig_value* out) {
+  if constexpr (M == Mode::fast) {
+    return doc(block).take_many(fields, count, out);
+  }
   if (!fits_mask<M>(block, count)) return 0;
   std::uint32_t mask = 0;
   for (std::uint32_t i = 0; i < count; ++i)
@@ -57,8 +60,8 @@ void set(ig_block* block, ig_field f, ig_value v) {
   Document& d = doc(block);
   if (!may<M>(d, f, Use::write) || !sound<M>(d, f, v)) return;
   const Change change = change_to<M>(d, f, v);
-  d.set(f, v);
   d.count_code(f);
+  d.set(f, v);
   note_line<M>(d, f, change);
 }
 

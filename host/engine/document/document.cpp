@@ -163,6 +163,15 @@ void Document::wake_far(const std::uint64_t* woken) {
   for (std::uint32_t k = 2; k < wake_words_; ++k) active[k] |= woken[k];
 }
 
+void Document::wake_far_of(const ig_field* fields, std::size_t bytes, std::uint32_t count) {
+  for (; count != 0; --count) {
+    ig_field f;
+    std::memcpy(&f, fields, sizeof f);
+    if (f < size_) wake_far(wake_ + std::size_t{f} * wake_words_);
+    fields = reinterpret_cast<const ig_field*>(reinterpret_cast<const char*>(fields) + bytes);
+  }
+}
+
 void Document::watch(ig_field f, std::uint64_t raised) {
   fields_.bits[f >> 6].watched |= bit(f);
   for (Watcher& w : watchers_)
@@ -183,14 +192,31 @@ void Document::tell_change(ig_field f) {
     }
 }
 
-void Document::tell_changes(ig_field x, const double* point) {
+void Document::change_watched(ig_field f, ig_value v) {
+  tell_change(f);
+  fields_.states[f] = {v, written()};
+  fields_.bits[f >> 6].write(bit(f));
+  wake(f);
+}
+
+void Document::change_many(const ig_field* f, std::uint32_t count, const ig_value* v, std::uint32_t done) {
+  if ((active[1] & wakes_beyond) != 0) wake_far_of(f, sizeof *f, done);
+  for (std::uint32_t i = done; i < count; ++i) {
+    if (f[i] >= size_) continue;
+    set(f[i], v[i]);
+    count_code(f[i]);
+  }
+}
+
+void Document::set_watched_point(ig_field x, const double* point) {
+  for (ig_field i = 0; i < 3; ++i) set(x + i, {.number = point[i]});
+}
+
+std::uint32_t Document::take_watched_point(ig_field x, std::uint32_t known) {
+  ig_value taken;
   for (ig_field i = 0; i < 3; ++i)
-    if (is_watched(x + i)) {
-      if (point != nullptr)
-        tell_watch(x + i, {.number = point[i]});
-      else
-        tell_change(x + i);
-    }
+    if ((known >> i & 1u) != 0) take(x + i, taken);
+  return known;
 }
 
 void Document::own_source() {
@@ -232,7 +258,7 @@ void Document::mark_pointless(ig_field f, bool pointless) {
 
 void Document::rewrite(ig_field f, ig_value v) {
   if (!present(f)) return;
-  if (is_watched(f)) tell_watch(f, v);
+  if (is_watched(f) && !has_value(f, v)) tell_change(f);
   State& state = fields_.states[f];
   state.value = v;
   state.place = written() | (state.place & 0xffffffffu);
@@ -299,15 +325,6 @@ void Document::set_frame_values(const FrameValues& values) {
   }
 }
 
-bool Document::has_leftovers() const {
-  if (!leftovers.empty()) return true;
-  std::uint64_t open = 0;
-  const Bits* const end = fields_.bits.data() + (has_far_words() ? far_end_ : far_begin_);
-  for (const Bits* bits = fields_.bits.data() + open_begin_; bits != end; ++bits)
-    open |= bits->present & bits->words & ~bits->taken;
-  return open != 0;
-}
-
 void Document::add_leftover(ig_leftover_kind kind, ig_field field, std::uint32_t begin, std::uint32_t end,
                             std::string_view name) {
   if (kind == IG_LEFT_TEXT && !leftovers.empty() && leftovers.back().kind == IG_LEFT_TEXT &&
@@ -359,21 +376,18 @@ void Document::move_frame(ig_field f, const double* matrix) {
   composed_valid_ = false;
 }
 
-const Frame& Document::composed() {
-  if (!composed_valid_) {
-    composed_ = Frame{};
-    for (std::size_t i = 0; i < frames_.size(); ++i) {
-      const Frame& entry = frames_[i];
-      if (entry.kind == Frame::Kind::identity || !present(layout_->transforms[i])) continue;
-      if (composed_.kind == Frame::Kind::identity)
-        composed_ = entry;
-      else
-        composed_ = composed_ * entry;
-    }
-    composed_valid_ = true;
-    inverse_valid_ = false;
+void Document::compose() {
+  composed_ = Frame{};
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    const Frame& entry = frames_[i];
+    if (entry.kind == Frame::Kind::identity || !present(layout_->transforms[i])) continue;
+    if (composed_.kind == Frame::Kind::identity)
+      composed_ = entry;
+    else
+      composed_ = composed_ * entry;
   }
-  return composed_;
+  composed_valid_ = true;
+  inverse_valid_ = false;
 }
 
 bool Document::map_to_program(const double (&in)[3], double (&out)[3]) {

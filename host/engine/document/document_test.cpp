@@ -132,7 +132,52 @@ TEST_CASE("a watched field tells of a change, and of nothing else") {
     double v[3];
     d.take_point(f.modal, v);
   }
+  SECTION("taken as one of several") {
+    ig_value v[2];
+    const ig_field fields[2] = {f.word, f.modal};
+    d.take_many(fields, 2, v);
+  }
   CHECK(changes() == 12);
+}
+
+TEST_CASE("several fields written at once wake and count what each of them does") {
+  const ManyFields f;
+  constexpr std::uint32_t wake_words = 3;
+  const std::vector<ig_field> fields{f.word, f.modal, f.code, f.owned, f.modal + 69};
+  const std::size_t watched = GENERATE(range(0, 6));  // the last one: none
+  std::vector<std::uint64_t> wake(f.layout.fields.size() * wake_words);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    wake[fields[i] * wake_words + i % wake_words] |= std::uint64_t{1} << i;
+    if (i % wake_words == 2) wake[fields[i] * wake_words + 1] |= wakes_beyond;
+  }
+  Document one(f.layout, wake, wake_words), many(f.layout, wake, wake_words);
+  for (Document* d : {&one, &many}) {
+    begin(*d);
+    if (watched < fields.size()) d->watch(fields[watched], 4);
+  }
+  SECTION("values") {
+    std::vector<ig_value> values;
+    for (std::size_t i = 0; i < fields.size(); ++i) values.push_back({.number = 1.0 + static_cast<double>(i)});
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      one.set(fields[i], values[i]);
+      one.count_code(fields[i]);
+    }
+    many.set_many(fields.data(), static_cast<std::uint32_t>(fields.size()), values.data());
+  }
+  SECTION("words of the text") {
+    std::vector<ig_word> words;
+    for (std::uint16_t i = 0; i < fields.size(); ++i)
+      words.push_back({fields[i], i, static_cast<std::uint16_t>(i + 1), {.number = 2}, IG_WORD_WITHOUT_POINT, 0});
+    for (const ig_word& w : words) one.set_word(w);
+    many.set_words(words.data(), static_cast<std::uint32_t>(words.size()));
+  }
+  CHECK(many.same_content(one));
+  CHECK(many.codes_seen == 1);
+  CHECK(many.codes_seen == one.codes_seen);
+  CHECK(many.changes == one.changes);
+  for (std::uint32_t k = 0; k < wake_words; ++k) CHECK(many.active[k] == one.active[k]);
+  CHECK((many.active[2] & 0xff) == 4);
+  for (const ig_field field : fields) CHECK(many.without_point(field) == one.without_point(field));
 }
 
 }  // namespace

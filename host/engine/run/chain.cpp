@@ -234,8 +234,11 @@ template <bool is_plain>
   const bool is_watched = !is_plain && settings_.mode != Mode::fast;
   const std::uint64_t forced = !is_plain && settings_.call_all ? ~std::uint64_t{0} : 0;
   std::uint32_t origin = linked_.first_build;
+  const std::size_t words = linked_.wake_words;
+  const Step* const steps = steps_.data();
+  const ig_host* const host = host_;
   ig_block* const block = d.block();
-  for (std::size_t k = 0; k < linked_.wake_words; ++k, origin += 64) {
+  for (std::size_t k = 0; k < words; ++k, origin += 64) {
     if (k == 2) {
       if ((d.active[1] & wakes_beyond) == 0 && forced == 0) break;
       origin -= 2;  // the bits of the flags
@@ -246,7 +249,7 @@ template <bool is_plain>
       const auto bit = static_cast<unsigned>(__builtin_ctzll(awake));
       rest &= ~std::uint64_t{1} << bit;
       const std::uint32_t position = origin + bit;
-      const Step& step = steps_[position];
+      const Step& step = steps[position];
       if (step.build == nullptr) [[unlikely]] {
         if (!call_looking_ahead(d, position, begin)) return;
         continue;
@@ -255,7 +258,7 @@ template <bool is_plain>
       ++builds;
       if (is_watched)
         call_watched(d, position);
-      else if (step.build(step.self, host_, block) == IG_FAILED) [[unlikely]]
+      else if (step.build(step.self, host, block) == IG_FAILED) [[unlikely]]
         tell_failure(d, position);
     }
   }
@@ -282,11 +285,29 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
 }
 
 void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
+  if (first == 0 && last == steps_.size() && is_plain_) [[likely]]
+    return run_whole(d);
   running = &d;
   const std::uint32_t inspection = std::clamp(linked_.inspection_begin, first, last);
   run_range(d, first, inspection);
   if (inspection != last && waits_at == 0) inspect(d, inspection, last);
   running = &document_;  // a block of the look-ahead window ends before the chain does
+}
+
+/// What run() does with a block that no other one waits for, in the plain mode: nearly all blocks.
+void Chain::run_whole(Document& d) {
+  running = &d;
+  const auto last = static_cast<std::uint32_t>(steps_.size());
+  const std::uint32_t inspection = std::min(linked_.inspection_begin, last);
+  try {
+    call_steps<true>(d, 0, before_inspection_);
+  } catch (...) {
+    const std::uint32_t next = d.current;
+    tell_exception(d, "build");
+    run_range(d, next, inspection);
+  }
+  if (inspection != last && waits_at == 0) inspect(d, inspection, last);
+  running = &document_;
 }
 
 inline void Chain::inspect(Document& d, std::uint32_t first, std::uint32_t last) {

@@ -219,6 +219,7 @@ class Chain {
   bool call_looking_ahead(Document& document, std::uint32_t position, std::uint32_t first);
   void inspect(Document& document, std::uint32_t first, std::uint32_t last);
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
+  void run_whole(Document& document);
   template <bool is_plain>
   void call_steps(Document& document, std::uint32_t begin, const Reach& reach);
   Reach reach(std::uint32_t first, std::uint32_t last) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -52,9 +53,10 @@ struct ListData {
 
   ig_value* record(std::size_t index) { return values.data() + index * stride; }
   /// One more record, of which `mask` is present. Values that are not present are undefined.
-  ig_value* add(std::uint64_t mask) {
+  [[gnu::always_inline]] ig_value* add(std::uint64_t mask) {
     const std::size_t end = (std::size_t{count} + 1) * stride;
-    if (values.size() < end) values.resize(end + end / 2);
+    if (values.size() < end) [[unlikely]]
+      grow(end);
     present.push_back(mask);
     return record(count++);
   }
@@ -65,6 +67,36 @@ struct ListData {
     present.clear();
     if (values.size() > most_kept) values.resize(most_kept);
   }
+
+ private:
+  [[gnu::noinline]] void grow(std::size_t end) { values.resize(end + end / 2); }
+};
+
+/// The fields of one call, which have been found to lie in one list.
+struct RecordShape {
+  static constexpr std::uint32_t most_fields = 16, none = ~0u;
+  std::uint32_t count = none;  ///< more fields than most_fields are not remembered
+  std::uint32_t list = 0;
+  std::uint64_t mask = 0;  ///< a bit for each field of the record
+  std::array<ig_field, most_fields> fields{};
+
+  bool is(const ig_field* wanted, std::uint32_t wanted_count) const {
+    return count == wanted_count && std::memcmp(fields.data(), wanted, count * sizeof *wanted) == 0;
+  }
+};
+
+/// The shapes that were used last, by the place of their fields. A copy of a block begins without them.
+class RecordShapes {
+ public:
+  RecordShapes() = default;
+  RecordShapes(const RecordShapes&) {}
+  RecordShapes& operator=(const RecordShapes&) { return *this; }
+  RecordShape& at(const ig_field* fields) {
+    return shapes_[reinterpret_cast<std::uintptr_t>(fields) / sizeof *fields % shapes_.size()];
+  }
+
+ private:
+  std::array<RecordShape, 16> shapes_{};
 };
 
 struct Leftover {
@@ -110,10 +142,13 @@ class Document {
   std::uint32_t word_begin(ig_field f) const { return fields_.states[f].begin(); }
   std::uint32_t word_end(ig_field f) const { return fields_.states[f].end(); }
 
+  // A write calls nothing but what rarely happens, and that as its last act: then it needs no frame on the stack.
+
   /// Value, present, fresh, writer; wakes.
   void set(ig_field f, ig_value v) {
     Bits& bits = fields_.bits[f >> 6];
-    if ((bits.watched & bit(f)) != 0) tell_watch(f, v);
+    if ((bits.watched & bit(f)) != 0 && !has_value(f, v)) [[unlikely]]
+      return change_watched(f, v);
     fields_.states[f] = {v, written()};
     bits.write(bit(f));
     wake(f);
@@ -123,18 +158,26 @@ class Document {
     State* const state = fields_.states.data();
     Bits* const bits = fields_.bits.data();
     const std::uint64_t place = written();
-    Waking waking(*this);
+    Woken woken(*this);
     for (std::uint32_t i = 0; i < count; ++i) {
       const ig_field field = f[i];
       if (field >= size_) continue;
       Bits& b = bits[field >> 6];
       const std::uint64_t mask = bit(field);
-      if ((b.watched & mask) != 0) tell_watch(field, v[i]);
+      if ((b.watched & mask) != 0 && !has_value(field, v[i])) [[unlikely]] {
+        active[0] = woken.low;
+        active[1] = woken.high;
+        return change_many(f, count, v, i);
+      }
       state[field] = {v[i], place};
       b.write(mask);
       codes_seen += static_cast<std::uint32_t>((b.codes & mask) != 0);
-      waking.add(field);
+      woken.add(field);
     }
+    active[0] = woken.low;
+    active[1] = woken.high;
+    if (woken.is_far()) [[unlikely]]
+      wake_far_of(f, sizeof *f, count);
   }
   /// Their values; a bit for each that is present.
   std::uint32_t get_many(const ig_field* f, std::uint32_t count, ig_value* out) const {
@@ -152,7 +195,7 @@ class Document {
   /// Value, present, writer.
   void write(ig_field f, ig_value v) {
     Bits& bits = fields_.bits[f >> 6];
-    if ((bits.watched & bit(f)) != 0) tell_watch(f, v);
+    if ((bits.watched & bit(f)) != 0 && !has_value(f, v)) tell_change(f);
     fields_.states[f] = {v, written()};
     bits.present |= bit(f);
     bits.taken &= ~bit(f);
@@ -176,6 +219,27 @@ class Document {
     return true;
   }
 
+  /// The same for several; a bit for each that was there.
+  std::uint32_t take_many(const ig_field* f, std::uint32_t count, ig_value* out) {
+    const State* const state = fields_.states.data();
+    Bits* const all = fields_.bits.data();
+    std::uint32_t taken = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const ig_field field = f[i];
+      if (field >= size_) continue;
+      Bits& bits = all[field >> 6];
+      const std::uint64_t mask = bit(field);
+      if ((bits.present & mask) == 0) continue;
+      out[i] = state[field].value;
+      if ((bits.watched & mask) != 0) [[unlikely]]
+        tell_change(field);
+      bits.present &= ~(mask & ~bits.codes);
+      bits.taken |= mask;
+      taken |= 1u << (i & 31);
+    }
+    return taken;
+  }
+
   // X Y Z of one section mostly lie side by side, and three at once cost little more than one.
   bool is_point(ig_field x) const { return x < points_end_ && (x & 63) <= 61; }
   /// A bit for each that is present; 0 in its place where it is not.
@@ -192,11 +256,11 @@ class Document {
     return static_cast<std::uint32_t>(fields_.bits[x >> 6].fresh >> (x & 63)) & 7u;
   }
   std::uint32_t take_point(ig_field x, double* out) {
-    const std::uint32_t known = get_point(x, out);
     Bits& bits = fields_.bits[x >> 6];
+    const std::uint32_t known = get_point(x, out);
     const std::uint64_t these = std::uint64_t{known} << (x & 63);
     if ((bits.watched & these) != 0) [[unlikely]]
-      tell_changes(x, nullptr);
+      return take_watched_point(x, known);
     bits.present &= ~(these & ~bits.codes);
     bits.taken |= these;
     return known;
@@ -205,7 +269,7 @@ class Document {
     Bits& bits = fields_.bits[x >> 6];
     const std::uint64_t these = std::uint64_t{7} << (x & 63);
     if ((bits.watched & these) != 0) [[unlikely]]
-      tell_changes(x, point);
+      return set_watched_point(x, point);
     const std::uint64_t place = written();
     State* const state = fields_.states.data() + x;
     state[0] = {{.number = point[0]}, place};
@@ -221,7 +285,8 @@ class Document {
     Bits* const all = fields_.bits.data();
     const std::uint32_t size = size_;
     const std::uint64_t place = written();
-    Waking waking(*this);
+    Woken woken(*this);
+    const ig_word* const first = w;
     for (const ig_word* const end = w + count; w != end; ++w) {
       const ig_field f = w->field;
       if (f >= size) continue;
@@ -232,8 +297,12 @@ class Document {
       state[f] = {v, place | std::uint64_t{w->end} << 16 | w->begin};
       bits.write(mask);
       bits.pointless = (bits.pointless & ~mask) | ((w->flags & IG_WORD_WITHOUT_POINT) != 0 ? mask : 0);
-      waking.add(f);
+      woken.add(f);
     }
+    active[0] = woken.low;
+    active[1] = woken.high;
+    if (woken.is_far()) [[unlikely]]
+      wake_far_of(&first->field, sizeof *first, count);
   }
   void set_word(const ig_word& w) { set_words(&w, 1); }
   void rewrite(ig_field f, ig_value v);
@@ -246,7 +315,13 @@ class Document {
   /// Starts the next block: `previous` values are copied, modal fields are carried, the others are dropped.
   void begin(const BlockSource& source);
   /// True when something of the block is left over: a word, an unanswered code, or other leftovers.
-  bool has_leftovers() const;
+  bool has_leftovers() const {
+    std::uint64_t open = 0;
+    const Bits* const end = fields_.bits.data() + (has_far_words() ? far_end_ : far_begin_);
+    for (const Bits* bits = fields_.bits.data() + open_begin_; bits != end; ++bits)
+      open |= bits->present & bits->words & ~bits->taken;
+    return open != 0 || !leftovers.empty();
+  }
   /// All of them in the order of their columns.
   std::vector<Leftover> collect_leftovers() const;
   void add_leftover(ig_leftover_kind kind, ig_field field, std::uint32_t begin, std::uint32_t end,
@@ -257,7 +332,11 @@ class Document {
   void move_frame(ig_field f, const double* matrix);
   const Frame& frame(ig_field f) const { return frames_[frame_index(f)]; }
   /// All entries composed in chain order.
-  const Frame& composed();
+  const Frame& composed() {
+    if (!composed_valid_) [[unlikely]]
+      compose();
+    return composed_;
+  }
   bool map_to_program(const double (&in)[3], double (&out)[3]);
   bool frame_changed = false;  ///< under a resting tool
   bool frame_moved = false;    ///< in either way
@@ -315,29 +394,17 @@ class Document {
   /// The place of a value that is not a word of the text: the running syntax wrote it.
   std::uint64_t written() const { return std::uint64_t{current} << 32; }
   /// Collects what several fields wake, so that it is stored once.
-  class Waking {
-   public:
-    explicit Waking(Document& d)
-        : d_(d), wakes_(d.wake_), stride_(d.wake_words_), low_(d.active[0]), high_(d.active[1]) {}
-    ~Waking() {
-      d_.active[0] = low_;
-      d_.active[1] = high_;
-    }
-    Waking(const Waking&) = delete;
-    Waking& operator=(const Waking&) = delete;
+  struct Woken {
+    const std::uint64_t* const wakes;
+    const std::size_t stride;
+    std::uint64_t low, high;
+    explicit Woken(const Document& d) : wakes(d.wake_), stride(d.wake_words_), low(d.active[0]), high(d.active[1]) {}
     void add(ig_field f) {
-      const std::uint64_t* const woken = wakes_ + std::size_t{f} * stride_;
-      low_ |= woken[0];
-      high_ |= woken[1];
-      if ((woken[1] & wakes_beyond) != 0) [[unlikely]]
-        d_.wake_far(woken);
+      const std::uint64_t* const woken = wakes + f * stride;
+      low |= woken[0];
+      high |= woken[1];
     }
-
-   private:
-    Document& d_;
-    const std::uint64_t* wakes_;
-    std::uint32_t stride_;
-    std::uint64_t low_, high_;
+    bool is_far() const { return (high & wakes_beyond) != 0; }
   };
   void wake(ig_field f) { wake_by(wake_ + std::size_t{f} * wake_words_); }
   void wake_by(const std::uint64_t* woken) {
@@ -347,13 +414,19 @@ class Document {
       wake_far(woken);
   }
   [[gnu::cold]] void wake_far(const std::uint64_t* woken);
+  /// For fields that lie so many bytes apart.
+  [[gnu::cold]] void wake_far_of(const ig_field* fields, std::size_t bytes, std::uint32_t count);
   bool is_watched(ig_field f) const { return (fields_.bits[f >> 6].watched >> (f & 63) & 1) != 0; }
-  void tell_watch(ig_field f, ig_value v) {
-    if (!present(f) || fields_.states[f].value.integer != v.integer) tell_change(f);
+  [[gnu::cold]] void compose();
+  bool has_value(ig_field f, ig_value v) const {
+    return (fields_.bits[f >> 6].present & bit(f)) != 0 && fields_.states[f].value.integer == v.integer;
   }
   [[gnu::cold]] void tell_change(ig_field f);
-  /// For three fields side by side; without values they are erased.
-  [[gnu::cold]] void tell_changes(ig_field x, const double* point);
+  [[gnu::cold]] void change_watched(ig_field f, ig_value v);
+  /// The first `done` of them are set, but do not yet wake what is far.
+  [[gnu::cold]] void change_many(const ig_field* f, std::uint32_t count, const ig_value* v, std::uint32_t done);
+  [[gnu::cold]] void set_watched_point(ig_field x, const double* point);
+  [[gnu::cold]] std::uint32_t take_watched_point(ig_field x, std::uint32_t known);
   /// For a transform. The field's value is meaningless: a syntax may have set it by mistake.
   std::size_t frame_index(ig_field f) const {
     std::size_t i = 0;
@@ -416,6 +489,9 @@ class Document {
   bool composed_valid_ = false, inverse_valid_ = false, invertible_ = false;
   std::string arena_;
   std::string own_text_;
+
+ public:
+  RecordShapes record_shapes;  // last: what every block touches lies together
 };
 
 }  // namespace isogloss
