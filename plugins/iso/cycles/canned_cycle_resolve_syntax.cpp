@@ -4,6 +4,7 @@
 /// A cycle is modal: it stays on, with its R, Z, Q, P, I and J, until G80 or a motion code of group 01, and drills in
 /// every block that names X, Y, Z, R or a rotary axis. Fanuc manual, "Canned cycle".
 #include "cycles/cycle_mode.hpp"
+#include "cycles/field_writes.hpp"
 #include "cycles/hole_repeats.hpp"
 
 namespace iso {
@@ -202,19 +203,23 @@ struct CannedCycleResolve {
       block_.swallow(b, now);
       b.set_call(block_.calls(), row);
     }
+    const auto is_in_place = [&](std::size_t address) { return now.is_called && in.has(address); };
+    FieldWrites writes;
     const auto put = [&](std::size_t address, double value) {
-      const bool in_place = now.is_called && in.has(address);
-      in_place ? b.rewrite(words[address], value) : b.set(words[address], value);
+      is_in_place(address) ? b.rewrite(words[address], value) : writes.add(words[address], value);
     };
     for (std::size_t axis = 0; axis < 3; ++axis)
       put(axis, axis == hole.plane.tool ? *hole.levels.bottom : hole.position[axis]);
     put(Address::R, *hole.levels.r);
     const auto kept = repeats_.kept_words();
     for (std::size_t i = 0; i < kept.size(); ++i)
-      if (const auto value = data_.value(b, i); value && !(now.is_called && in.has(kept[i]))) put(kept[i], *value);
+      if (const auto value = data_.value(b, i); value && !is_in_place(kept[i])) put(kept[i], *value);
+    writes.set(b);
     if (now.before && !in.has(Address::Q) && data_.has_q(b) && use_of_q(*now.before) != use_of_q(row))
       b.raise(q_of_another_use_);
-    repeats_.put_count(b, words, hole.count, put);
+    repeats_.put_count(b, words, hole.count, [&](std::size_t address, double value) {
+      is_in_place(address) ? b.rewrite(words[address], value) : b.set(words[address], value);
+    });
     if (hole.count != 1) repeats_.put_step(b, hole.step);
   }
 };

@@ -2,6 +2,8 @@
 
 #include <isogloss/cnc/modal_group.hpp>
 
+#include "cycles/field_writes.hpp"
+
 namespace iso {
 
 void CycleData::cancel(ig::Block& b) const {
@@ -44,23 +46,17 @@ void CycleData::enter(ig::Block& b, const ActiveCycle& now, ig::Symbol code, dou
 
 void CycleData::store(ig::Block& b, const ActiveCycle& now, const CycleWords& in, const ResolvedHole& hole,
                       std::span<const Address> kept) const {
-  const bool drills = hole.is_drilled;
-  const auto put = [&](const auto& field, auto value) { drills ? b.set(field, value) : b.amend(field, value); };
-  put(term_, hole.cycle);
-  put(return_mode_, return_mode(b));
-  if (level_rule_ == InitialLevel::cycle_entry && now.is_entry) put(initial_level_, hole.initial_level);
-  if (hole.levels.r) put(r_, *hole.levels.r);
+  FieldWrites writes;
+  writes.add(term_, hole.cycle);
+  writes.add(return_mode_, return_mode(b));
+  if (level_rule_ == InitialLevel::cycle_entry && now.is_entry) writes.add(initial_level_, hole.initial_level);
+  if (hole.levels.r) writes.add(r_, *hole.levels.r);
   for (std::size_t i = 0; i < kept.size(); ++i)
-    if (const auto value = in[kept[i]]) put(kept_[i], *value);
-  const auto keep = [&](std::size_t axis, double value) {
-    const ig_value v{.number = value};
-    const ig_field id = hole_.id(axis);
-    drills ? b.set(id, v) : b.amend_many(&id, 1, &v);
-  };
-  if (hole.levels.bottom) keep(hole.plane.tool, *hole.levels.bottom);
-  if (!drills) return;
-  keep(hole.plane.first, hole.position[hole.plane.first]);
-  keep(hole.plane.second, hole.position[hole.plane.second]);
+    if (const auto value = in[kept[i]]) writes.add(kept_[i], *value);
+  if (hole.levels.bottom) writes.add(hole_.id(hole.plane.tool), *hole.levels.bottom);
+  if (!hole.is_drilled) return writes.amend(b);
+  for (const std::size_t axis : {hole.plane.first, hole.plane.second}) writes.add(hole_.id(axis), hole.position[axis]);
+  writes.set(b);
 }
 
 }  // namespace iso
