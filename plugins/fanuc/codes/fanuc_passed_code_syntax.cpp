@@ -27,10 +27,16 @@ struct FanucPassedCode {
     while (next < text.size()) {
       const char letter = to_upper(text[next]);
       if (letter != 'G' && letter != 'M' && letter != 'N') break;
-      const ig::Decimal number = ig::read_decimal(text, ig::cnc::skip_blanks(text, next + 1));
-      if (!number.ok) break;
-      if (letter != 'G') mark_.note(b, macros_.store(), letter, number.value);
-      next = ig::cnc::skip_blanks(text, number.end);
+      const std::size_t begin = ig::cnc::skip_blanks(text, next + 1);
+      std::size_t end = begin;
+      if (letter == 'G') {  // only passed over, so its number is not read
+        end = skip_while(text, begin, [](char c) { return is_digit(c) || c == '.'; });
+      } else if (const ig::Decimal number = ig::read_decimal(text, begin); number.ok) {
+        mark_.note(b, macros_.store(), letter, number.value);
+        end = number.end;
+      }
+      if (end == begin) break;
+      next = ig::cnc::skip_blanks(text, end);
     }
     return position;
   }

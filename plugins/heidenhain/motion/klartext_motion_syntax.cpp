@@ -63,13 +63,16 @@ struct KlartextMotion {
     if (!b.has(function_) || function == cc_) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.get(words_);
     ig_value steps[3];
-    const std::uint32_t has_steps = b.take_many(steps_.data(), 3, steps);
+    const std::uint32_t has_steps =
+        b.has_any(steps_[0], steps_[1], steps_[2]) ? b.take_many(steps_.data(), 3, steps) : 0;
 
     KlartextWay way{plane_(b), start(b), {}, named.mask | has_steps, function};
     way.to = named.or_else(way.from);
-    const ig::Vec3 base = b.find(of_machine_) ? b.get(machine_).or_else(way.from) : way.from;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((has_steps >> axis & 1u) != 0) way.to[axis] = base[axis] + steps[axis].number;
+    if (has_steps != 0) {
+      const ig::Vec3 base = b.find(of_machine_) ? b.get(machine_).or_else(way.from) : way.from;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((has_steps >> axis & 1u) != 0) way.to[axis] = base[axis] + steps[axis].number;
+    }
     const bool is_polar = function == lp_ || function == cp_ || function == ctp_;
     if (is_polar && !polar_.resolve(b, way)) return drop(b);
     if (retract_.is_programmed(b) && retract_.follow(b, way, last_(b))) put(b, way);
