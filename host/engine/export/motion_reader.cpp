@@ -198,10 +198,12 @@ const Move* MotionReader::make_move(const Values& values, const Fields& fields, 
   Move& m = move_;
   read_point(values, fields.program, m.program);
   read_point(values, fields.machine, m.machine);
-  if (&fields == &item_ && m.machine.known != 0) {  // a step names the axes that it moves
+  // A step names the axes that it moves; the others stay where they are.
+  const std::uint32_t staying = position_.known & ~m.machine.known;
+  if (&fields == &item_ && m.machine.known != 0 && staying != 0) {
     for (unsigned i = 0; i < 6; ++i)
-      if (!m.machine.has(i)) m.machine.at[i] = position_.at[i];
-    m.machine.known |= position_.known;
+      if ((staying >> i & 1u) != 0) m.machine.at[i] = position_.at[i];
+    m.machine.known |= staying;
   }
   if (!is_arc && !keep_zero_moves_ && goes_nowhere()) return nullptr;
 

@@ -165,8 +165,8 @@ class Document {
       Bits& b = bits[field >> 6];
       const std::uint64_t mask = bit(field);
       if ((b.watched & mask) != 0 && !has_value(field, v[i])) [[unlikely]] {
-        active[0] = woken.low;
-        active[1] = woken.high;
+        active[0] |= woken.low;
+        active[1] |= woken.high;
         return change_many(f, count, v, i);
       }
       state[field] = {v[i], place};
@@ -174,8 +174,8 @@ class Document {
       codes_seen += static_cast<std::uint32_t>((b.codes & mask) != 0);
       woken.add(field);
     }
-    active[0] = woken.low;
-    active[1] = woken.high;
+    active[0] |= woken.low;
+    active[1] |= woken.high;
     if (woken.is_far()) [[unlikely]]
       wake_far_of(f, sizeof *f, count);
   }
@@ -299,8 +299,8 @@ class Document {
       bits.pointless = (bits.pointless & ~mask) | ((w->flags & IG_WORD_WITHOUT_POINT) != 0 ? mask : 0);
       woken.add(f);
     }
-    active[0] = woken.low;
-    active[1] = woken.high;
+    active[0] |= woken.low;
+    active[1] |= woken.high;
     if (woken.is_far()) [[unlikely]]
       wake_far_of(&first->field, sizeof *first, count);
   }
@@ -397,8 +397,8 @@ class Document {
   struct Woken {
     const std::uint64_t* const wakes;
     const std::size_t stride;
-    std::uint64_t low, high;
-    explicit Woken(const Document& d) : wakes(d.wake_), stride(d.wake_words_), low(d.active[0]), high(d.active[1]) {}
+    std::uint64_t low = 0, high = 0;
+    explicit Woken(const Document& d) : wakes(d.wake_), stride(d.wake_words_) {}
     void add(ig_field f) {
       const std::uint64_t* const woken = wakes + f * stride;
       low |= woken[0];
