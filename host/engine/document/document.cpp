@@ -199,22 +199,8 @@ void Document::change_watched(ig_field f, ig_value v) {
   wake(f);
 }
 
-void Document::change_many(const ig_field* f, std::uint32_t count, const ig_value* v, std::uint32_t done) {
-  const std::uint64_t place = written();
-  Woken woken(*this);
-  for (std::uint32_t i = done; i < count; ++i) {
-    const ig_field field = f[i];
-    if (field >= size_) continue;
-    Bits& bits = fields_.bits[field >> 6];
-    if ((bits.watched & bit(field)) != 0 && !has_value(field, v[i])) tell_change(field);
-    fields_.states[field] = {v[i], place};
-    bits.write(bit(field));
-    count_code(field);
-    woken.add(field);
-  }
-  active[0] |= woken.low;
-  active[1] |= woken.high;
-  if ((active[1] & wakes_beyond) != 0) wake_far_of(f, sizeof *f, count);
+void Document::change_many(const ig_field* f, std::uint32_t count, const ig_value* v, std::uint32_t first) {
+  set_each<true>(f, count, v, first);
 }
 
 void Document::set_watched_point(ig_field x, const double* point) {

@@ -46,6 +46,7 @@ void CycleData::enter(ig::Block& b, const ActiveCycle& now, ig::Symbol code, dou
 
 void CycleData::store(ig::Block& b, const ActiveCycle& now, const CycleWords& in, const ResolvedHole& hole,
                       std::span<const Address> kept) const {
+  static_assert(words.size() + 7 <= FieldWrites::most, "the words that are kept, and what is named below");
   FieldWrites writes;
   writes.add(term_, hole.cycle);
   writes.add(return_mode_, return_mode(b));

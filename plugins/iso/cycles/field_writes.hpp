@@ -7,7 +7,7 @@ namespace iso {
 
 class FieldWrites {
  public:
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = 16;  ///< that one call writes
 
   void add(ig_field field, ig_value value) {
     fields_[count_] = field;

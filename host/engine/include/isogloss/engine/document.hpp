@@ -81,7 +81,8 @@ struct RecordShape {
   std::array<ig_field, most_fields> fields{};
 
   bool is(const ig_field* wanted, std::uint32_t wanted_count) const {
-    return count == wanted_count && std::memcmp(fields.data(), wanted, count * sizeof *wanted) == 0;
+    return count == wanted_count && wanted_count <= most_fields &&
+           std::memcmp(fields.data(), wanted, count * sizeof *wanted) == 0;
   }
 };
 
@@ -154,31 +155,7 @@ class Document {
     wake(f);
   }
   /// The same for several; ids outside the document are left out. Codes among them are counted as seen.
-  void set_many(const ig_field* f, std::uint32_t count, const ig_value* v) {
-    State* const state = fields_.states.data();
-    Bits* const bits = fields_.bits.data();
-    const std::uint64_t place = written();
-    Woken woken(*this);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const ig_field field = f[i];
-      if (field >= size_) continue;
-      Bits& b = bits[field >> 6];
-      const std::uint64_t mask = bit(field);
-      if ((b.watched & mask) != 0 && !has_value(field, v[i])) [[unlikely]] {
-        active[0] |= woken.low;
-        active[1] |= woken.high;
-        return change_many(f, count, v, i);
-      }
-      state[field] = {v[i], place};
-      b.write(mask);
-      codes_seen += static_cast<std::uint32_t>((b.codes & mask) != 0);
-      woken.add(field);
-    }
-    active[0] |= woken.low;
-    active[1] |= woken.high;
-    if (woken.is_far()) [[unlikely]]
-      wake_far_of(f, sizeof *f, count);
-  }
+  void set_many(const ig_field* f, std::uint32_t count, const ig_value* v) { set_each<false>(f, count, v, 0); }
   /// Their values; a bit for each that is present.
   std::uint32_t get_many(const ig_field* f, std::uint32_t count, ig_value* out) const {
     const State* const state = fields_.states.data();
@@ -423,8 +400,39 @@ class Document {
   }
   [[gnu::cold]] void tell_change(ig_field f);
   [[gnu::cold]] void change_watched(ig_field f, ig_value v);
-  /// The first `done` of them are set, but do not yet wake what is far.
-  [[gnu::cold]] void change_many(const ig_field* f, std::uint32_t count, const ig_value* v, std::uint32_t done);
+  /// From the one on where a watched field changes. Those before it are set, but do not yet wake what is far.
+  [[gnu::cold]] void change_many(const ig_field* f, std::uint32_t count, const ig_value* v, std::uint32_t first);
+  /// Without `tells` it goes over to change_many() where a watched field changes.
+  template <bool tells>
+  [[gnu::always_inline]] void set_each(const ig_field* f, std::uint32_t count, const ig_value* v, std::uint32_t first) {
+    State* const state = fields_.states.data();
+    Bits* const bits = fields_.bits.data();
+    const std::uint64_t place = written();
+    Woken woken(*this);
+    for (std::uint32_t i = first; i < count; ++i) {
+      const ig_field field = f[i];
+      if (field >= size_) continue;
+      Bits& b = bits[field >> 6];
+      const std::uint64_t mask = bit(field);
+      if ((b.watched & mask) != 0 && !has_value(field, v[i])) [[unlikely]] {
+        if constexpr (tells) {
+          tell_change(field);
+        } else {
+          active[0] |= woken.low;
+          active[1] |= woken.high;
+          return change_many(f, count, v, i);
+        }
+      }
+      state[field] = {v[i], place};
+      b.write(mask);
+      codes_seen += static_cast<std::uint32_t>((b.codes & mask) != 0);
+      woken.add(field);
+    }
+    active[0] |= woken.low;
+    active[1] |= woken.high;
+    if (woken.is_far() || (tells && (active[1] & wakes_beyond) != 0)) [[unlikely]]
+      wake_far_of(f, sizeof *f, count);
+  }
   [[gnu::cold]] void set_watched_point(ig_field x, const double* point);
   [[gnu::cold]] std::uint32_t take_watched_point(ig_field x, std::uint32_t known);
   /// For a transform. The field's value is meaningless: a syntax may have set it by mistake.
