@@ -29,8 +29,8 @@ struct FanucPassedCode {
       if (letter != 'G' && letter != 'M' && letter != 'N') break;
       const std::size_t begin = ig::cnc::skip_blanks(text, next + 1);
       std::size_t end = begin;
-      if (letter == 'G') {  // only passed over, so its number is not read
-        end = skip_while(text, begin, [](char c) { return is_digit(c) || c == '.'; });
+      if (letter == 'G') {  // only passed over, so its number is not read; FlagSyntax joins "G54. 1"
+        end = skip_while(text, begin, [](char c) { return is_digit(c) || c == '.' || is_blank(c); });
       } else if (const ig::Decimal number = ig::read_decimal(text, begin); number.ok) {
         mark_.note(b, macros_.store(), letter, number.value);
         end = number.end;
