@@ -49,11 +49,19 @@ void Cursor::start() {
   if (byte(0) == 0xef && byte(1) == 0xbb && byte(2) == 0xbf) begin_ = 3;
   offset_ = first_ = begin_;
   utf16_ = (byte(0) == 0xff && byte(1) == 0xfe) || (byte(0) == 0xfe && byte(1) == 0xff);
-  // The first line may be longer than the window.
-  const auto holds = [&](char c) { return std::memchr(buffer_.data(), c, end_) != nullptr; };
-  while (!holds('\n') && !holds('\r') && end_ < maximum_ && fill()) {
+  // As long as no LF has come, a CR tells nothing before the window is full, however few bytes the source gives at
+  // once. The first line may be longer than the window.
+  bool has_lf = false, has_cr = false;
+  for (std::size_t looked = 0; !has_lf;) {
+    const std::string_view fresh(buffer_.data() + begin_ + looked, end_ - begin_ - looked);
+    has_lf = fresh.find('\n') != std::string_view::npos;
+    has_cr = has_cr || fresh.find('\r') != std::string_view::npos;
+    looked += fresh.size();
+    const bool is_full = begin_ == 0 && end_ == buffer_.size();
+    if (is_full && (has_cr || end_ >= maximum_)) break;
+    if (!has_lf && !fill()) break;
   }
-  if (!holds('\n') && holds('\r')) terminator_ = '\r';
+  if (!has_lf && has_cr) terminator_ = '\r';
 }
 
 void Cursor::seek(std::uint64_t offset, std::uint32_t number) {

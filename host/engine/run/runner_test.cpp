@@ -232,10 +232,9 @@ TEST_CASE("a run ends at its limit of blocks, and says so") {
   CHECK(f.diagnostics.all[0].code == "IG-0407");
 }
 
-Strings lines_of(std::string_view text, std::size_t maximum = 1000, bool* truncated = nullptr) {
-  const auto source = memory_source(text);
+Strings lines_in(Source& source, std::size_t maximum = 1000, bool* truncated = nullptr) {
   const Segmenter by_line{"line", {}, {}};
-  Cursor cursor(*source, maximum, by_line);
+  Cursor cursor(source, maximum, by_line);
   Strings out;
   for (Line line; cursor.next(line);) {
     out.emplace_back(line.text);
@@ -245,6 +244,10 @@ Strings lines_of(std::string_view text, std::size_t maximum = 1000, bool* trunca
   return out;
 }
 
+Strings lines_of(std::string_view text, std::size_t maximum = 1000, bool* truncated = nullptr) {
+  return lines_in(*memory_source(text), maximum, truncated);
+}
+
 TEST_CASE("lines end in LF, CR LF, or in CR alone where there is no LF") {
   CHECK(lines_of("a\nb\n") == Strings{"a", "b"});
   CHECK(lines_of("a\r\nb") == Strings{"a", "b"});
@@ -252,6 +255,35 @@ TEST_CASE("lines end in LF, CR LF, or in CR alone where there is no LF") {
   CHECK(lines_of("\n\na") == Strings{"", "", "a"});
   CHECK(lines_of("").empty());
   CHECK(lines_of("\xef\xbb\xbfX1\n") == Strings{"X1"});
+}
+
+/// At most so many bytes at once.
+class PiecesSource : public Source {
+ public:
+  PiecesSource(std::string_view text, std::size_t most) : text_(memory_source(text)), most_(most) {}
+  std::size_t read(char* buffer, std::size_t size) override { return text_->read(buffer, std::min(size, most_)); }
+  bool has_places() const override { return true; }
+  std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t size) override {
+    return text_->read_at(offset, buffer, std::min(size, most_));
+  }
+
+ private:
+  std::unique_ptr<Source> text_;
+  std::size_t most_;
+};
+
+TEST_CASE("how lines end does not depend on how many bytes a source gives at once") {
+  const std::string far(70'000, 'x');
+  for (const std::string& text : {std::string("a\rb\nc"),
+                                  std::string("\xef\xbb\xbf"
+                                              "a\rb\nc\r\n"),
+                                  std::string("a\rb\r"), "a\r" + far + "\nb", far + "\ra\nb", far + far + "\na\r"})
+    for (const std::size_t most : {1u, 3u, 4096u, 65'533u}) {
+      PiecesSource pieces(text, most);
+      CAPTURE(text.substr(0, 10), text.size(), most);
+      CHECK(lines_in(pieces) == lines_of(text));
+    }
+  CHECK(lines_of("a\rb\nc") == Strings{"a\rb", "c"});
 }
 
 TEST_CASE("a line that is too long is cut, and the next one is whole") {

@@ -96,8 +96,11 @@ void DatumSelection::put_named_row(ig::Block& b, const Values& values, std::stri
   if (at(text, i) == '"') {
     const std::size_t close = std::min(text.find('"', i + 1), text.size());
     file = trim(piece(text, i + 1, close));
-    i = skip(text, close + 1);
+    i = skip(text, std::min(close + 1, text.size()));
   }
+  if (i == text.size())
+    return b.report(ig::diag("HEI-0104"), where_of_line(text, begin), std::string_view("TRANS DATUM TABLE"),
+                    std::string_view("TABLINE, the row of the datum table,"));
   const std::size_t line = glued(text, i, "TABLINE");
   if (line == i) return report_not_a_word(b, text, i, "TRANS DATUM TABLE");
   const std::size_t rest = skip(text, put_row(b, values, text, begin, line, file, datum));
