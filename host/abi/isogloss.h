@@ -183,11 +183,13 @@ typedef struct ig_syntax {
   const char* triggers;          /* the bytes at which scan() is asked; NULL: no scan() */
   ig_create_fn create;
   ig_destroy_fn destroy;
-  ig_run_fn restart;  /* once a run, on the block before the first; NULL: nothing to do */
-  ig_scan_fn scan;    /* NULL: no scanner */
-  ig_run_fn build;    /* NULL: a scanner only */
-  const char* cases;  /* Markdown with all other cases, NULL where there are none; since 1.5 */
-  const char* folder; /* of its page below the plugin's sources: "cycles"; NULL: beside them; since 1.6 */
+  ig_run_fn restart;   /* once a run, on the block before the first; NULL: nothing to do */
+  ig_scan_fn scan;     /* NULL: no scanner */
+  ig_run_fn build;     /* NULL: a scanner only */
+  const char* cases;   /* Markdown with all other cases, NULL where there are none; since 1.5 */
+  const char* folder;  /* of its page below the plugin's sources: "cycles"; NULL: beside them; since 1.6 */
+  uint32_t scan_flags; /* IG_SCANS_AHEAD, see isogloss_scan.h; since 1.8 */
+  uint32_t reserved;
 } ig_syntax;
 
 /* A column of a dependency's table. */
@@ -273,8 +275,7 @@ struct ig_link_api {
   ig_text (*text_value)(const ig_table*, ig_text row, uint32_t column);
   uint32_t (*row_count)(const ig_table*);
   ig_text (*row_name)(const ig_table*, uint32_t row);
-  /* Says why create() returns IG_FAILED. */
-  void (*fail)(ig_link*, ig_text reason);
+  void (*fail)(ig_link*, ig_text reason); /* says why create() returns IG_FAILED */
   /* The syntax that is being created has nothing to do in this chain: its build() is not called. */
   void (*idle)(ig_link*);
   int32_t (*set_text_value)(ig_table*, ig_text row, uint32_t column, ig_text value); /* since 1.8: of a text column */
@@ -391,14 +392,12 @@ struct ig_host {
    * the text; begin == end: the whole block. */
   void (*report)(ig_block*, uint32_t diagnostic, ig_field field, uint32_t begin, uint32_t end, const ig_argument*,
                  uint32_t count);
-  /* What a trampoline calls when build() threw. */
-  void (*fault)(ig_block*, ig_text message);
+  void (*fault)(ig_block*, ig_text message); /* what a trampoline calls when build() threw */
   void (*flow)(ig_block*, ig_flow, size_t position);
   /* Post-logic: the k-th executed block after this one, 1 <= k <= look_ahead; NULL past the end of the program. */
   ig_block* (*ahead)(ig_block*, uint32_t k);
 
-  /* A bit for each field that is fresh; count <= 32. */
-  uint32_t (*fresh_many)(const ig_block*, const ig_field* fields, uint32_t count);
+  uint32_t (*fresh_many)(const ig_block*, const ig_field* fields, uint32_t count); /* a bit for each; count <= 32 */
 
   /* An entry of the frame that moves with the axes during the block (Kind Dynamic), as it is at the block's end. The
    * tool tip moves along: frame_changed() stays as it was. */
@@ -410,6 +409,7 @@ struct ig_host {
   uint32_t (*take_point)(ig_block*, ig_field x, double out[3]);
   void (*set_point)(ig_block*, ig_field x, const double point[3]);
   uint32_t (*fresh_point)(const ig_block*, ig_field x);
+  int32_t (*in_turn)(ig_block*); /* see isogloss_scan.h; since 1.8 */
 };
 
 /* ---- Standard services -------------------------------------------------------------------------------------- */

@@ -8,6 +8,7 @@
 #include "isogloss_import.h"
 #include "isogloss_machine_code.h"
 #include "isogloss_provenance.h"
+#include "isogloss_scan.h"
 #include "isogloss_tool.h"
 #include "isogloss_view.h"
 
@@ -81,6 +82,8 @@ AT(ig_syntax, scan, 136);
 AT(ig_syntax, build, 144);
 AT(ig_syntax, cases, 152);
 AT(ig_syntax, folder, 160);
+AT(ig_syntax, scan_flags, 168);
+AT(ig_syntax, reserved, 172);
 
 GROWS_FROM(ig_column_decl, 56);
 AT(ig_column_decl, is_text, 4);
@@ -208,6 +211,11 @@ AT(ig_host, flow, 280);
 AT(ig_host, ahead, 288);
 AT(ig_host, fresh_many, 296);
 AT(ig_host, set_moving_transform, 304);
+AT(ig_host, get_point, 312);
+AT(ig_host, take_point, 320);
+AT(ig_host, set_point, 328);
+AT(ig_host, fresh_point, 336);
+AT(ig_host, in_turn, 344);
 
 GROWS_FROM(ig_work_offset_1, 32);
 AT(ig_work_offset_1, reserved, 4);
@@ -473,3 +481,4 @@ CONSTANT(IG_AXIS_DATUM, 2);
 CONSTANT(IG_AXIS_RETRACT, 3);
 CONSTANT(IG_AXIS_FIXED_POINT_1, 4);
 CONSTANT(IG_AXIS_FIXED_POINT_4, 7);
+CONSTANT(IG_SCANS_AHEAD, 1);

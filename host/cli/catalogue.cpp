@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "isogloss/engine/layout.hpp"
+#include "isogloss_scan.h"
 #include "new/names.hpp"
 
 namespace isogloss::cli {
@@ -118,6 +119,7 @@ Json describe(const ig_syntax& s, const ig_plugin& plugin) {
   add_text(out, "ExclusiveSlot", s.exclusive_slot);
   add_text(out, "FirstWriterSlot", s.first_writer_slot);
   add_text(out, "Scans", s.triggers);
+  if ((s.scan_flags & IG_SCANS_AHEAD) != 0) out["ScansAhead"] = true;
   if (s.look_ahead != 0) out["LookAhead"] = s.look_ahead;
   if (s.inspects != 0) out["Inspects"] = true;
   Json services = Json::array();

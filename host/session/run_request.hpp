@@ -43,6 +43,7 @@ class OpenedProgram : public Source {
     return rest_->read_at(offset, buffer, size);
   }
   std::string failure() const override { return rest_->failure(); }
+  std::unique_ptr<Source> again() const override { return rest_->again(); }
   std::string_view head() const { return head_; }
 
  private:

@@ -31,7 +31,7 @@ def describe(header, compiler):
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "isogloss.h").write_text(header)
         for name in ("probe.c", "isogloss_axis.h", "isogloss_flow.h", "isogloss_import.h", "isogloss_machine_code.h",
-                     "isogloss_provenance.h", "isogloss_tool.h", "isogloss_view.h"):
+                     "isogloss_provenance.h", "isogloss_scan.h", "isogloss_tool.h", "isogloss_view.h"):
             shutil.copy(ABI / name, folder)
         subprocess.run([compiler, "-std=c11", "-g", "-O0", "-fPIC", "-shared", f"-ffile-prefix-map={folder}=.",
                         "-o", "probe.so", "probe.c"], cwd=folder, check=True)

@@ -71,7 +71,8 @@ class Counter:
 
     def count(self, kind, lines, arguments, dialect):
         command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", f"--cachegrind-out-file={self.folder}/counts",
-                   self.isogloss, "run", self.program_in(dialect, kind, lines), "-d", dialect, "--watchdog", "0", *arguments]
+                   self.isogloss, "run", self.program_in(dialect, kind, lines), "-d", dialect, "--watchdog", "0",
+                   "--scan-ahead", "0", *arguments]
         command += ["--machine", HERE / "five_axis.xml"] if kind == "five-axis" else ["--tools", self.tools]
         done = subprocess.run([str(part) for part in command], capture_output=True, text=True, env=self.environment)
         found = re.search(r"I +refs: +([\d,]+)", done.stderr)

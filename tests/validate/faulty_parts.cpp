@@ -60,6 +60,7 @@ struct State : Self {
   std::thread thread;
 #endif
   void* memory = nullptr;
+  double scanned = 0;
   double counts[100]{};
 };
 
@@ -201,6 +202,9 @@ std::size_t scan(void* pointer, const ig_host* host, ig_block* block, const char
 #if defined(FAULT_columns_beyond)
   word.end = static_cast<std::uint16_t>(size + 9);
 #endif
+#if defined(FAULT_scan_keeps_number)
+  self.scanned = number;
+#endif
   host->set_words(block, &word, 1);
   return end;
 }
@@ -220,6 +224,8 @@ ig_status build(void* pointer, const ig_host* host, ig_block* block) {
 #if defined(FAULT_reads_absent)
   host->get(block, self.y, &y);
   if (is_there) x.number += y.number;
+#elif defined(FAULT_scan_keeps_number)
+  if (is_there) x.number = self.scanned;
 #elif defined(FAULT_counts_in_heap)
   ++*counter;
 #elif defined(FAULT_counts_in_thread)
@@ -458,6 +464,7 @@ extern "C" IG_EXPORT const ig_plugin* ig_plugin_v1(void) {
 #if defined(SCANS)
   syntax.scan = scan;
   syntax.triggers = "X";
+  syntax.scan_flags = IG_SCANS_AHEAD;
 #endif
   dependency.struct_size = sizeof dependency;
   dependency.id = "PartTable";

@@ -3,6 +3,7 @@
 
 #include <isogloss.h>
 #include <isogloss_import.h>
+#include <isogloss_scan.h>
 
 #include <cmath>
 #include <cstring>

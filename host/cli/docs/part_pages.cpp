@@ -88,6 +88,7 @@ class PartPage {
     add("Exclusive slot", plain("ExclusiveSlot"));
     add("First-writer slot", plain("FirstWriterSlot"));
     add("Scans", plain("Scans"));
+    if (d.contains("ScansAhead")) add("Scans ahead of its turn", p.text("yes"));
     add("Looks ahead, blocks", plain("LookAhead"));
     if (d.contains("Services")) add("Services", service_names(p, d["Services"]));
     if (d.contains("Provides")) {

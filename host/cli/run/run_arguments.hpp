@@ -24,6 +24,7 @@ struct RunArguments {
        json = false;
   ReproducerRequest reproducer;
   RunBudgets budgets;
+  std::uint64_t scan_ahead = 20'000;
   UntrustedOptions untrusted;
   std::vector<std::string> save_table;
   std::vector<TableRequest> tables_to_save;

@@ -41,6 +41,10 @@ void RunCommand::add_to(CommandLine& line) {
   line.flag("--zero-moves", zero_moves, "Keep linear moves that change no machine axis");
   canonical.add_to(line);
   budgets.add_to(line);
+  line.option("--scan-ahead", scan_ahead,
+              "Scan a program of more lines on a second processor, ahead of the run (0: never); the result is the same")
+      .type_name("LINES")
+      .shows_default();
   line.flag("--checked", checked, "Check every access of a syntax against its declaration (slow)").group("Testing");
   line.flag("--call-all", call_all, "Call every syntax in every block; must give the same result").group("Testing");
   reproducer.add_to(line);
@@ -98,6 +102,7 @@ int RunCommand::run() {
     return cannot_start;
   options->chain.mode = checked ? Mode::checked : Mode::fast;
   options->chain.call_all = call_all;
+  options->scans_ahead_after = scan_ahead;
   watch_calls(program.watchdog);
   if (!reproducer.file.empty()) return reproducer.write(session, program, std::move(*options));
   if (std::find(programs.begin(), programs.end(), "-") == programs.end()) allow_reproducer();

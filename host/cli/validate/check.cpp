@@ -63,6 +63,12 @@ std::span<const Check> all_checks() {
       Check{"scan", must, "a scanner stays in the text, whatever follows the byte at which it is asked",
             "Compare the position with the size before each byte, and declare the words that the scanner writes.",
             check_scan},
+      Check{
+          "scan-ahead", must,
+          "what a scanner finds ahead of the block's turn, on another instance, is what it would find in it",
+          "Ask is_in_turn() before the scanner keeps something for build() or does something outside the block, or do "
+          "not declare that it may be asked ahead.",
+          check_scan_ahead},
       Check{"borrowed", must, "what a call lends (block, functions, ids, texts) is not used after the call",
             "Use the block and the host of the present call; copy ids, options and texts in create().", check_borrowed},
       Check{"options", must, "options work at their bounds, between them and together, and are refused beyond them",

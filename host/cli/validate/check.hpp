@@ -98,6 +98,8 @@ void check_time(Examination& e);
 void check_waits(Examination& e);
 // scanning.cpp
 void check_scan(Examination& e);
+// scanning_ahead.cpp
+void check_scan_ahead(Examination& e);
 // answers.cpp
 void check_absent_answers(Examination& e);
 void check_changed(Examination& e);

@@ -88,6 +88,7 @@ class Bench {
   void prepare(const TestBlock& block);
   /// The text of the block, where the syntax has a scanner.
   void scan() {
+    if (read_text) return read_text(*chain_);
     if (alone_.linked->chain[alone_.position].syntax->scan != nullptr) chain_->scan_with(alone_.position);
   }
   ig_status build() { return chain_->build(alone_.position); }
@@ -98,6 +99,8 @@ class Bench {
 
   /// Where the text of a block stands while the block is built; empty: in the block.
   std::function<std::string_view(std::string_view)> place_text;
+  /// Gives the block what is in its text, in place of the scanner; empty: the scanner does.
+  std::function<void(Chain&)> read_text;
 
  private:
   DiagnosticList said_;

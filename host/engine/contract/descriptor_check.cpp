@@ -14,6 +14,7 @@
 #include "contract/descriptor_parts.hpp"
 #include "dialect/options.hpp"
 #include "isogloss_import.h"
+#include "isogloss_scan.h"
 
 namespace isogloss {
 namespace {
@@ -194,6 +195,7 @@ void check_syntax(const ig_syntax& syntax, std::string_view owner) {
   if ((syntax.scan == nullptr) != (syntax.triggers == nullptr))
     fault("{} has {}", owner, syntax.scan == nullptr ? "triggers and no scan" : "a scan and no triggers");
   if (syntax.triggers != nullptr) bytes(syntax.triggers, member(owner, "triggers"), 256);
+  if (syntax.scan_flags != 0 && syntax.scan == nullptr) fault("{} has scan_flags and no scan", owner);
 }
 
 /// "key|column=value|…"
@@ -312,6 +314,13 @@ std::string_view part(const T* const* parts, std::uint32_t i, const char* what) 
   return id;
 }
 
+/// Flags of a newer plugin may have a meaning, which this host does not know.
+void check_scan_flags(const ig_plugin& plugin, const ig_syntax& syntax, std::string_view owner) {
+  if (const std::uint32_t unknown = syntax.scan_flags & ~std::uint32_t{IG_SCANS_AHEAD};
+      unknown != 0 && plugin.abi_minor <= IG_ABI_MINOR)
+    fault("{} has the scan_flags 0x{:x}, which have no meaning", owner, unknown);
+}
+
 /// A newer plugin may have given the member a name and a meaning, which this host does not look at.
 void check_reserved(const ig_plugin& plugin, std::uint32_t value, std::string_view owner) {
   if (value != 0 && plugin.abi_minor <= IG_ABI_MINOR) fault("{}.reserved is {}, not 0", owner, value);
@@ -338,6 +347,8 @@ void check_plugin(const ig_plugin& plugin) {
     const std::string_view syntax = part(plugin.syntaxes, i, "syntaxes");
     unique(ids, syntax, [] { return "the id"; });
     check_syntax(*plugin.syntaxes[i], syntax);
+    check_scan_flags(plugin, *plugin.syntaxes[i], syntax);
+    check_reserved(plugin, plugin.syntaxes[i]->reserved, syntax);
   }
   for (std::uint32_t i = 0; i < plugin.dependency_count; ++i) {
     const std::string_view dependency = part(plugin.dependencies, i, "dependencies");

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
+#include "isogloss_scan.h"
 #include "test_plugin.hpp"
 
 using namespace isogloss;
@@ -81,6 +82,17 @@ TEST_CASE("each fault of a descriptor is found and named") {
       {"destroy", [](Plugin& p) { syntax(p).out.destroy = nullptr; }, "GoodSyntax.destroy is null"},
       {"build", [](Plugin& p) { syntax(p).out.build = nullptr; }, "neither build, scan nor restart"},
       {"triggers", [](Plugin& p) { syntax(p).out.triggers = "X"; }, "triggers and no scan"},
+      {"scan flags", [](Plugin& p) { syntax(p).out.scan_flags = IG_SCANS_AHEAD; }, "scan_flags and no scan"},
+      {"scan flags",
+       [](Plugin& p) {
+         syntax(p).out.triggers = "X";
+         syntax(p).out.scan = [](void*, const ig_host*, ig_block*, const char*, std::size_t, std::size_t at) {
+           return at;
+         };
+         syntax(p).out.scan_flags = 6;
+       },
+       "the scan_flags 0x6, which have no meaning"},
+      {"reserved", [](Plugin& p) { syntax(p).out.reserved = 1; }, "GoodSyntax.reserved is 1, not 0"},
       {"inspects",
        [](Plugin& p) {
          syntax(p).out.inspects = 1;

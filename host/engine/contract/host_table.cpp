@@ -110,6 +110,8 @@ ig_block* ahead(ig_block* block, std::uint32_t k) {
   return k >= 1 && k <= window.size() ? window[k - 1]->block() : nullptr;
 }
 
+std::int32_t in_turn(ig_block*) { return 1; }
+
 template <Mode M>
 constexpr ig_host table() {
   return {.struct_size = sizeof(ig_host),
@@ -155,7 +157,8 @@ constexpr ig_host table() {
           .get_point = get_point<M>,
           .take_point = take_point<M>,
           .set_point = set_point<M>,
-          .fresh_point = fresh_point<M>};
+          .fresh_point = fresh_point<M>,
+          .in_turn = in_turn};
 }
 
 constexpr ig_host fast_table = table<Mode::fast>();

@@ -1,7 +1,7 @@
 // Scanning: the scanners of a chain take the text of a block apart, byte by byte.
 #include <algorithm>
 
-#include "isogloss/engine/chain.hpp"
+#include "isogloss/engine/scanned_line.hpp"
 
 namespace isogloss {
 
@@ -103,6 +103,30 @@ std::size_t Chain::scan() {
   is_scanning_ = false;
   document_.current = 0;
   return split_at != 0 ? std::min(split_at, size) : size;
+}
+
+bool Chain::take_scanned(const ScannedLine& line) {
+  Document& d = document_;
+  const ig_word* const begin = line.notes();
+  const ig_word* const end = begin + line.count;
+  for (const ig_word* w = begin; w != end; ++w) {
+    if ((w->flags & LineNotes::was_read) == 0) continue;
+    const bool was_there = (w->flags & LineNotes::was_absent) == 0;
+    if (d.present(w->field) != was_there || (was_there && d.value(w->field).integer != w->value.integer)) return false;
+  }
+  for (const ig_word* w = begin; w != end;) {
+    const ig_word* const first = w++;
+    d.current = static_cast<std::uint16_t>(first->reserved);
+    if (first->flags <= IG_WORD_WITHOUT_POINT) {
+      while (w != end && w->reserved == first->reserved && w->flags <= IG_WORD_WITHOUT_POINT) ++w;
+      d.set_words(first, static_cast<std::uint32_t>(w - first));
+    } else if ((first->flags & LineNotes::is_value) != 0) {
+      d.count_code(first->field);
+      d.set(first->field, first->value);
+    }
+  }
+  d.current = 0;
+  return true;
 }
 
 std::size_t Chain::scan_with(std::uint32_t position) {

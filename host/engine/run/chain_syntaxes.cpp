@@ -5,6 +5,7 @@
 
 #include "contract/host_table.hpp"
 #include "isogloss/engine/chain.hpp"
+#include "isogloss/engine/scanned_line.hpp"
 #include "run/calling.hpp"
 
 namespace isogloss {
@@ -32,7 +33,8 @@ void Chain::create_syntaxes() {
     (s.syntax->look_ahead == 0 ? steps_[i].build : steps_[i].build_ahead) = link.is_idle ? nullptr : s.syntax->build;
     if (link.is_idle && i >= linked_.first_build)
       document_.silence(static_cast<std::uint32_t>(wake_bit(i - linked_.first_build)));
-    steps_[i].scan = s.syntax->scan;
+    const bool is_left = host_ == &ahead_table() && (s.syntax->scan_flags & IG_SCANS_AHEAD) == 0;
+    steps_[i].scan = is_left && s.syntax->scan != nullptr ? leave_to_turn : s.syntax->scan;
     if (steps_[i].any_build() != nullptr && i >= linked_.inspection_begin) {
       const std::size_t bit = wake_bit(i - linked_.first_build);
       inspection_.add(bit);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cfenv>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "document/finite_values.hpp"
 #include "isogloss/engine/stepping.hpp"
 #include "run/flow.hpp"
 #include "run/look_ahead_window.hpp"
+#include "run/scan_ahead.hpp"
 
 namespace isogloss {
 
@@ -52,9 +54,11 @@ class Run final : StandingRun {
     }
     Line line;
     while (!over_) {
-      if (next_line(line))
+      if (next_line(line)) {
+        if (result_.lines == options_.scans_ahead_after) [[unlikely]]
+          scan_ahead();
         run_line(line);
-      else if (!flow_.is_over() && !flow_.leave_at_end(chain_.document()))
+      } else if (!flow_.is_over() && !flow_.leave_at_end(chain_.document()))
         over_ = text_ended_ = true;
       over_ = over_ || flow_.is_over() || (is_line_done_ && window_.is_empty());
     }
@@ -111,7 +115,7 @@ class Run final : StandingRun {
       if (options_.listener != nullptr && !goes_on_with(source)) [[unlikely]]
         return;
       chain_.begin_block(source);
-      const std::size_t end = chain_.scan();
+      const std::size_t end = scan(line, rest);
       if (end < rest.size()) chain_.document().source.text = rest.substr(0, end);
       run_block();
       has_run = true;
@@ -124,6 +128,31 @@ class Run final : StandingRun {
       }
     } while (!over_ && offset < line.text.size());
     if (holds_last(line) && has_run && !has_more(line, offset)) count_pass(file);
+  }
+
+  /// Returns the end of the block in the text, which is the line's from some byte on.
+  [[gnu::always_inline]] inline std::size_t scan(const Line& line, std::string_view text) {
+    if (ahead_ != nullptr && text.size() == line.text.size() && flow_.cursor().source() == scanned_ahead_) {
+      const ScannedLine* const found = ahead_->find(line);
+      if (found != nullptr && chain_.take_scanned(*found)) return text.size();
+    }
+    return chain_.scan();
+  }
+
+  /// Where a processor may be free, and nobody has to hear of the scanners.
+  [[gnu::cold, gnu::noinline]] void scan_ahead() {
+    if (std::thread::hardware_concurrency() < 2 || options_.chain.mode != Mode::fast || options_.chain.call_all ||
+        options_.chain.host != nullptr || options_.listener != nullptr || chain_.scanned)
+      return;
+    const Source* const source = flow_.cursor().source();
+    std::unique_ptr<Source> again = source->again();
+    if (again == nullptr) return;
+    try {
+      ahead_ =
+          std::make_unique<ScanAhead>(linked_, options_, std::move(again), flow_.file_name(), flow_.cursor().offset());
+      scanned_ahead_ = source;
+    } catch (const std::exception&) {  // no thread: the run scans by itself
+    }
   }
 
   /// Asks the listener; false when the run ends before the block.
@@ -369,6 +398,8 @@ class Run final : StandingRun {
   FiniteValues finite_;
   LookAheadWindow window_;
   bool over_ = false, program_ended_ = false, text_ended_ = false, reported_wide_ = false, is_utf16_ = false;
+  const Source* scanned_ahead_ = nullptr;
+  std::unique_ptr<ScanAhead> ahead_;
 };
 
 }  // namespace

@@ -39,6 +39,14 @@ class FileSource : public Source {
     return count(try_again([&] { return ::pread(descriptor_, buffer, size, place); }), place);
   }
   std::string failure() const override { return failure_; }
+  std::unique_ptr<Source> again() const override {
+    const int copy = has_places_ ? ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 3) : -1;
+    if (copy < 0) return nullptr;
+    auto out = std::make_unique<FileSource>(copy);
+    out->base_ = base_;
+    out->size_ = size_;
+    return out;
+  }
 
  private:
   std::size_t count(ssize_t n, off_t place) {
@@ -74,6 +82,7 @@ class MemorySource : public Source {
     std::memcpy(buffer, rest.data(), n);
     return n;
   }
+  std::unique_ptr<Source> again() const override { return memory_source(text_); }
 
  private:
   std::string_view text_;

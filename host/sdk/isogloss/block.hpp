@@ -262,6 +262,11 @@ class Block {
 
   // Words, for scanners and for syntaxes that rewrite what scanners wrote.
 
+  /// What a scanner that scans_ahead() asks before it does anything outside the block, or keeps anything for build().
+  /// False: return the position. The text will be scanned again in its turn.
+  bool is_in_turn() const {
+    return host_->struct_size < offsetof(ig_host, in_turn) + sizeof host_->in_turn || host_->in_turn(block_) != 0;
+  }
   void set_words(const ig_word* words, std::uint32_t count) { host_->set_words(block_, words, count); }
   void set_word(const ig_word& word) { host_->set_words(block_, &word, 1); }
   /// Replaces the value of a word: its columns, life and mark stay, IG_WORD_WITHOUT_POINT is cleared.

@@ -2,6 +2,8 @@
 /// ISOGLOSS_PLUGIN. No exception leaves the functions that cross the boundary: the host reports its text.
 #pragma once
 
+#include <isogloss_scan.h>
+
 #include <algorithm>
 #include <exception>
 #include <memory>
@@ -26,6 +28,7 @@ struct SyntaxSpec {
   const char* trigger_bytes = nullptr;
   std::uint32_t look_ahead = 0;
   std::uint32_t inspects = 0;
+  std::uint32_t scan_flags = 0;
 
   /// The syntax runs after (before) the syntaxes with these ids, where the chain has them.
   template <class... S>
@@ -56,6 +59,14 @@ struct SyntaxSpec {
   constexpr SyntaxSpec scans(const char* bytes) const {
     SyntaxSpec s = *this;
     s.trigger_bytes = bytes;
+    return s;
+  }
+  /// scan() may be asked ahead of the block's turn, on another instance, in another thread, for text that may never be
+  /// executed. But for values that it gets from the block, the text alone decides what it finds. Before it does
+  /// anything outside the block, or keeps something for build(), it asks Block::is_in_turn().
+  constexpr SyntaxSpec scans_ahead() const {
+    SyntaxSpec s = *this;
+    s.scan_flags |= IG_SCANS_AHEAD;
     return s;
   }
   /// build() may read as many executed blocks ahead with Block::ahead().
@@ -203,6 +214,7 @@ class SyntaxDescriptor {
     out_.option_count = count(recorded_.options);
     out_.service_count = count(recorded_.services);
     out_.inspects = T::spec.inspects;
+    out_.scan_flags = T::spec.scan_flags;
     out_.after = T::spec.after_names.data();
     out_.before = T::spec.before_names.data();
     out_.exclusive_slot = T::spec.exclusive_slot;

@@ -1,5 +1,5 @@
-/// Records the last M code and the last sequence number that the program has passed, for #4113 and #4114. It reads the
-/// text without taking it, because a code that no syntax knows is recorded, too.
+/// Keeps the last M code and the last sequence number that the program has passed, for #4113 and #4114. It reads the
+/// text without taking it, because a code that no syntax knows is kept, too.
 #include <isogloss/cnc/scan.hpp>
 
 #include "macro/macro_environment.hpp"
@@ -15,10 +15,14 @@ struct FanucPassedCode {
       ig::syntax("FanucPassedCodeSyntax", "Keeps the last M code and sequence number: #4113, #4114.")
           .after("BlockSkipSyntax", "IsoCommentSyntax")
           .before("HeadIndexSyntax", "FlagSyntax")
-          .scans("GMNgmn");
+          .scans("GMNgmn")
+          .scans_ahead();
 
   MacroFrame macros_;
-  PassedCodeMark mark_;
+  ig::Field<double> m_{
+      "PassedCode.M", ig::take | ig::write | ig::wake, {ig::Life::block, "", "The M code found last."}};
+  ig::Field<double> n_{"PassedCode.N", ig::take | ig::write | ig::wake, {ig::Life::block, "", "The N found last."}};
+  PassedCodeMark mark_{ig::read | ig::write};
 
   /// Adjacent G and M codes are read here as one row, as in FlagSyntax.
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -32,13 +36,26 @@ struct FanucPassedCode {
       if (letter == 'G') {  // only passed over, so its number is not read; FlagSyntax joins "G54. 1"
         end = skip_while(text, begin, [](char c) { return is_digit(c) || c == '.' || is_blank(c); });
       } else if (const ig::Decimal number = ig::read_decimal(text, begin); number.ok) {
-        mark_.note(b, macros_.store(), letter, number.value);
+        b.set(letter == 'M' ? m_ : n_, number.value);
         end = number.end;
       }
       if (end == begin) break;
       next = ig::cnc::skip_blanks(text, end);
     }
     return position;
+  }
+
+  ig::Status build(ig::Block& b) const {
+    const std::optional<double> m = take(b, m_), n = take(b, n_);
+    if (!m && !n) return ig::Status::unchanged;
+    mark_.keep(b, macros_.store(), m, n);
+    return ig::Status::changed;
+  }
+
+ private:
+  static std::optional<double> take(ig::Block& b, const ig::Field<double>& field) {
+    ig_value value;
+    return b.take(field.id(), value) ? std::optional(value.number) : std::nullopt;
   }
 };
 

@@ -13,7 +13,8 @@ struct FanucMacroStatement {
       ig::syntax("FanucMacroStatementSyntax", "Macro statements: assignments, IF, WHILE, GOTO, alarms and output.")
           .after("IsoCommentSyntax", "HeadIndexSyntax", "ProgramNumberSyntax")
           .before("WordSyntax")
-          .scans("[#IWDEGTOBPSRCiwdegtobpsrc");
+          .scans("[#IWDEGTOBPSRCiwdegtobpsrc")
+          .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "FAN-0121", "{0} is read-only on this control: nothing is assigned"),
       ig::diagnostic(IG_ERROR, "FAN-0122", "the tables of this run have no row for {0}: nothing is written"),

@@ -21,7 +21,8 @@ struct FanucMacroWord {
       ig::syntax("FanucMacroWordSyntax", "Words and codes whose value is a variable or an expression.")
           .after("FlagSyntax", "WordSyntax", "FanucMacroStatementSyntax")
           .before("ParameterizedFlagSyntax")
-          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz,");
+          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz,")
+          .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "FAN-0151", "'{0}' is not used: {1} needs a number, not a variable"),
       ig::diagnostic(IG_ERROR, "FAN-0152", "{0}{1} is not a code: a code is 0 to 9999, whole or with one decimal"),
@@ -39,7 +40,7 @@ struct FanucMacroWord {
   FurtherAxisWords further_{ig::write, ig::read};
   AxisNames axes_;
   CodeFields codes_;
-  PassedCodeMark mark_;
+  ig::Field<double> passed_m_{"PassedCode.M", ig::write, {ig::Life::block, "", "The M code found last."}};
   ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "The increments that ROUND rounds to."};
   ig::Codes units_{{"G20", "G21"}, ig::read};
   ig::In<ig::Symbol> system_{"Unit.System"};
@@ -72,7 +73,7 @@ struct FanucMacroWord {
     const char c = ig::cnc::at(text, value);
     const bool is_function =
         ig::cnc::is_letter(c) && ig::cnc::at(text, skip_name_of(text, value, ig::cnc::is_letter)) == '[';
-    if (c != '#' && c != '[' && !is_function) return position;
+    if ((c != '#' && c != '[' && !is_function) || !b.is_in_turn()) return position;
     if (environment_.flow.is_indexing()) return skip_expression(text, value);
     environment_.enter(b);
     return word(b, text, position, value, negative, axis ? &axis->address : nullptr);
@@ -216,7 +217,7 @@ struct FanucMacroWord {
   }
 
   void set_code(ig::Block& b, char letter, double number, std::size_t begin, std::size_t end) {
-    if (letter == 'M') mark_.note(b, environment_.store(), letter, number);
+    if (letter == 'M') b.set(passed_m_, number);
     if (const auto index = CodeFields::index_of(number))
       codes_.set(b, letter, *index, begin, end);
     else

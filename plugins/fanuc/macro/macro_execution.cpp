@@ -8,9 +8,9 @@ namespace fanuc {
 using namespace ig::cnc;
 
 std::size_t MacroExecution::scan(ig::Block& b, std::string_view text, std::size_t position) {
-  if (text[position] == '[') return scan_return(b, text, position);
+  if (text[position] == '[') return b.is_in_turn() ? scan_return(b, text, position) : position;
   const Word word = statement_at(text, position);
-  if (word == Word::none) return position;
+  if (word == Word::none || !b.is_in_turn()) return position;
   const bool is_first = stands_first(text, position);
   has_comment_ = false;
   const std::size_t end = statement_end(text, position, has_comment_);

@@ -11,20 +11,23 @@ namespace fanuc {
 
 using namespace ig::cnc;
 
-/// A member of each syntax that notes or reads what #4113 and #4114 answer.
+/// A member of the syntax that keeps them, and of those that read what is kept.
 class PassedCodeMark {
  public:
-  void note(ig::Block& b, MacroStore& store, char letter, double number) const {
-    if (!b.is_raised(noted_here_)) store.passed.begin_block();
-    b.raise(noted_here_);
-    store.passed.note(letter == 'M' ? PassedCodes::m : PassedCodes::n, number);
+  explicit PassedCodeMark(ig::Access access = ig::read) : kept_here_("PassedCode.~KeptHere", access) {}
+  /// Those of this block, where it has them.
+  void keep(ig::Block& b, MacroStore& store, std::optional<double> m, std::optional<double> n) const {
+    store.passed.begin_block();
+    if (m) store.passed.note(PassedCodes::m, *m);
+    if (n) store.passed.note(PassedCodes::n, *n);
+    b.raise(kept_here_);
   }
   std::optional<double> of_blocks_before(const ig::Block& b, const MacroStore& store, PassedCodes::Which which) const {
-    return b.is_raised(noted_here_) ? store.passed.before(which) : store.passed.last(which);
+    return b.is_raised(kept_here_) ? store.passed.before(which) : store.passed.last(which);
   }
 
  private:
-  ig::Signal noted_here_{"PassedCode.~NotedHere", ig::read | ig::write};
+  ig::Signal kept_here_;
 };
 
 }  // namespace fanuc

@@ -15,7 +15,8 @@ struct HeadIndexSyntax {
   static constexpr auto spec = ig::syntax("HeadIndexSyntax", "Reads the sequence number N.")
                                    .after("BlockSkipSyntax", "IsoCommentSyntax")
                                    .before("FlagSyntax", "WordSyntax")
-                                   .scans("Nn");
+                                   .scans("Nn")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "ISO-0114", "{0} is not at the start of its block: write the sequence number first"),
   };

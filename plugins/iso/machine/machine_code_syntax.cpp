@@ -19,7 +19,8 @@ struct MachineCodeSyntax {
   static constexpr auto spec = ig::syntax("MachineCodeSyntax", "Codes of the machine's builder, as MachineCodes says.")
                                    .after("HeadIndexSyntax")
                                    .before("FlagSyntax")
-                                   .scans("GMgm");
+                                   .scans("GMgm")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0571", "the program {1} that {0} calls is not found, so it is not called: {2}"),
   };
@@ -45,7 +46,7 @@ struct MachineCodeSyntax {
     if (end == number || std::string_view("=Oo.").find(at(text, end)) != std::string_view::npos) return position;
     std::string name(1, text[position]);
     const ig_machine_code* const row = row_of(name.append(piece(text, number, end)));
-    if (row == nullptr) return position;
+    if (row == nullptr || !b.is_in_turn()) return position;
     if (calls_ == Calls::passed_on && arguments_of(*row) != CodeArguments::none) return position;
     const bool is_g = to_upper(text[position]) == 'G';
     const std::size_t words_end = is_g ? block_end(text, position) : own_words_end(text, end);

@@ -48,8 +48,11 @@ Code read_code(std::string_view text, std::size_t position, bool joins = false) 
 }
 
 struct FlagSyntax {
-  static constexpr auto spec =
-      ig::syntax("FlagSyntax", "Reads G and M codes.").after("HeadIndexSyntax").before("WordSyntax").scans("GMgm");
+  static constexpr auto spec = ig::syntax("FlagSyntax", "Reads G and M codes.")
+                                   .after("HeadIndexSyntax")
+                                   .before("WordSyntax")
+                                   .scans("GMgm")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0102", "'{0}' has no number and is not executed: write the number of the code"),
       ig::diagnostic(IG_WARNING, "ISO-0547",

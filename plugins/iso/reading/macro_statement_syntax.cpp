@@ -18,7 +18,8 @@ struct MacroStatementSyntax {
       ig::syntax("MacroStatementSyntax", "Recognises macro statements, which evaluation executes.")
           .after("IsoCommentSyntax", "HeadIndexSyntax", "ProgramNumberSyntax")
           .before("WordSyntax")
-          .scans("#IWDEGTOBPSRCiwdegtobpsrc");
+          .scans("#IWDEGTOBPSRCiwdegtobpsrc")
+          .scans_ahead();
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!begins_statement(text, position)) return position;

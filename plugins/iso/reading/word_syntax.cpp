@@ -21,7 +21,8 @@ constexpr std::array<bool, 256> odd_after_number = [] {
 struct WordSyntax {
   static constexpr auto spec = ig::syntax("WordSyntax", "Reads words: an address and its number.")
                                    .after("FlagSyntax", "HeadIndexSyntax", "MacroStatementSyntax")
-                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.,");
+                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-.,")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0104", "'{0}' has no number: write its value, or remove the address"),
       ig::diagnostic(IG_ERROR, "ISO-0105", "'{0}' has two signs, so the word is not executed: remove one of them"),

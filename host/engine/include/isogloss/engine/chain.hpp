@@ -14,6 +14,8 @@ namespace isogloss {
 
 class FlowHost;
 class LinePlaces;
+struct LineNotes;
+struct ScannedLine;
 
 enum class Mode { fast, checked, traced };
 
@@ -107,6 +109,11 @@ class Chain {
   void begin_block(const BlockSource& source);
   /// Asks the scanners; returns the end of the block in the text (a scanner may split the line).
   std::size_t scan();
+  /// Gives the block what its scanners have found ahead of its turn. False where it is not what they would find now:
+  /// the block is as it was.
+  bool take_scanned(const ScannedLine& line);
+  /// Where a chain that scans ahead notes what it finds.
+  LineNotes* notes = nullptr;
   /// Calls the syntaxes in chain positions [first, last) that are awake.
   void run(Document& document, std::uint32_t first, std::uint32_t last);
   /// One build() of one syntax on the document as it is.

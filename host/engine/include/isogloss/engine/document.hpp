@@ -135,6 +135,8 @@ class Document {
   bool present(ig_field f) const { return f < size_ && (fields_.bits[f >> 6].present >> (f & 63) & 1) != 0; }
   bool fresh(ig_field f) const { return f < size_ && (fields_.bits[f >> 6].fresh >> (f & 63) & 1) != 0; }
   bool taken(ig_field f) const { return f < size_ && (fields_.bits[f >> 6].taken >> (f & 63) & 1) != 0; }
+  /// Does its value come from the blocks before, unless this one sets it?
+  bool is_modal(ig_field f) const { return (fields_.bits[f >> 6].modal >> (f & 63) & 1) != 0; }
   bool without_point(ig_field f) const { return f < size_ && (fields_.bits[f >> 6].pointless >> (f & 63) & 1) != 0; }
   ig_value value(ig_field f) const { return fields_.states[f].value; }
   double number(ig_field f) const { return fields_.states[f].value.number; }

@@ -43,6 +43,9 @@ struct RunOptions {
   std::string stop_in_file;           ///< the file of that line, by name; empty: the main program's
   std::uint64_t stop_after_pass = 1;  ///< how often that line is run
   std::size_t maximum_line_bytes = 1u << 20;
+  /// A program of more lines is scanned on a thread of its own, ahead of the run, where there are two processors; 0:
+  /// never. The result is the same.
+  std::uint64_t scans_ahead_after = 0;
   std::function<void(Chain&)> prepare;  ///< called once the chain is created, before its start; empty: none
   /// Called when a program in a file is called for the first time, with its name and the file; empty: none.
   std::function<void(std::string_view program, const std::string& file)> called;
@@ -75,6 +78,8 @@ class Source {
   virtual bool is_lost() const { return false; }
   /// Why the last read gave nothing although the end is not reached; empty: it was the end.
   virtual std::string failure() const { return {}; }
+  /// The same bytes once more, for another thread; null: they cannot be read twice at a time.
+  virtual std::unique_ptr<Source> again() const { return nullptr; }
 };
 std::unique_ptr<Source> open_file(const std::string& path, std::string& error);  ///< "-": standard input
 std::unique_ptr<Source> memory_source(std::string_view text);

@@ -1,0 +1,184 @@
+// Lines that another thread has scanned: the run gives what it gives alone, also where values that were carried,
+// reports and a scanner that waits for its turn are among them, and after jumps.
+#include "run/scan_ahead.hpp"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+
+#include "isogloss/engine/document_json.hpp"
+#include "test_plugin.hpp"
+
+namespace isogloss::ahead_tests {
+namespace {
+
+std::atomic<std::uint64_t> scanned_elsewhere = 0;
+std::thread::id thread_of_test;
+
+struct Ids {
+  ig_field x, level, seen;
+};
+
+ig_status create(const ig_link_api*, ig_link*, const ig_field* ids, void** self) {
+  *self = new Ids{ids[0], ids[1], ids[2]};
+  return IG_CHANGED;
+}
+void destroy(void* self) { delete static_cast<Ids*>(self); }
+
+/// X1: a word. L1: a level that stays. R: the level in force, as another value. !: a report. T: only in its turn.
+std::size_t scan(void* self, const ig_host* host, ig_block* block, const char* text, std::size_t size,
+                 std::size_t position) {
+  const Ids& ids = *static_cast<Ids*>(self);
+  if (std::this_thread::get_id() != thread_of_test) ++scanned_elsewhere;
+  const double digit = position + 1 < size ? text[position + 1] - '0' : 0;
+  switch (text[position]) {
+    case 'X': {
+      const ig_word word{
+          ids.x, static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(position + 2), {.number = digit}, 0,
+          0};
+      host->set_words(block, &word, 1);
+      return position + 2;
+    }
+    case 'L': host->set(block, ids.level, {.number = digit}); return position + 2;
+    case 'R': {
+      ig_value level{};
+      host->set(block, ids.seen, {.number = host->get(block, ids.level, &level) != 0 ? 10 + level.number : -1});
+      return position + 1;
+    }
+    case '!': host->report(block, 0, IG_NO_FIELD, 0, 0, nullptr, 0); return position + 1;
+    default:
+      if (host->in_turn(block) == 0) return position;
+      host->set(block, ids.x, {.number = 9});
+      return position + 1;
+  }
+}
+
+std::size_t scan_in_turn(void* self, const ig_host* host, ig_block* block, const char*, std::size_t, std::size_t at) {
+  host->set(block, static_cast<Ids*>(self)->x, {.number = 8});
+  return at + 1;
+}
+
+struct Fixture {
+  explicit Fixture(bool scans_ahead = true) : library({}) {
+    for (const char* const name : {"Reader", "Other"}) {
+      auto& syntax = plugin.syntax(name);
+      syntax.fields = {test::field("Parsing.X", IG_WRITE, IG_NUMBER, IG_LIFE_WORD),
+                       test::field("Test.Level", IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_MODAL),
+                       test::field("Test.Seen", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
+      syntax.out.create = create;
+      syntax.out.destroy = destroy;
+      syntax.out.build = nullptr;
+    }
+    ig_syntax &reader = plugin.syntaxes[0].out, &other = plugin.syntaxes[1].out;
+    reader.triggers = "XLR!T";
+    reader.scan = scan;
+    reader.scan_flags = scans_ahead ? IG_SCANS_AHEAD : 0;
+    other.triggers = "U";
+    other.scan = scan_in_turn;
+    plugin.diagnostics = {{sizeof(ig_diagnostic_decl), IG_NOTE, "T-0001", "read", "", ""}};
+    library.add(plugin.get());
+    Dialect dialect;
+    dialect.name = "test";
+    dialect.plugins = {{plugin.get()->name, {}}};
+    dialect.chain = {{Stage::parsing, "Reader", "Reader", {}, false, {}},
+                     {Stage::parsing, "Other", "Other", {}, false, {}}};
+    linked = link(dialect, library, diagnostics);
+    diagnostics.all.clear();
+    thread_of_test = std::this_thread::get_id();
+    scanned_elsewhere = 0;
+  }
+
+  test::Plugin plugin{"hand"};
+  Library library;
+  DiagnosticList diagnostics;
+  std::unique_ptr<LinkedDialect> linked;
+};
+
+/// The blocks as JSON, in no hurry.
+class Collector : public Exporter {
+ public:
+  void begin(Document&, const SymbolTable&) override {}
+  bool block(Document& d, const SymbolTable& symbols) override {
+    all += std::to_string(d.source.line) + show_json(d, symbols).dump() + "\n";
+    if (d.source.line % 16 == 0) std::this_thread::sleep_for(std::chrono::microseconds(50));
+    return true;
+  }
+  bool end() override { return true; }
+  std::string all;
+};
+
+std::string program(std::size_t lines) {
+  std::string out;
+  for (std::size_t i = 0; i < lines; ++i) switch (i % 11) {
+      case 1: out += "X1X2\n"; break;
+      case 2: out += "R\n"; break;
+      case 3: out += i % 1000 < 11 ? "L" + std::to_string(i / 1000 % 10) + "\n" : "\n"; break;
+      case 4: out += i % 77 == 4 ? "!\n" : "X3 R\n"; break;
+      case 5: out += "TX5\n"; break;
+      case 6: out += "X6U\n"; break;
+      case 7: out += "X7?\r\n"; break;
+      default: out += "X" + std::to_string(i % 10) + "\n";
+    }
+  return out;
+}
+
+TEST_CASE("a run whose lines are scanned ahead gives what it gives alone") {
+  Fixture f;
+  const std::string text = program(40'000);
+  Collector alone, helped;
+  RunOptions options;
+  DiagnosticList said_alone, said_helped;
+  isogloss::run(*f.linked, *memory_source(text), "t", options, {&alone}, said_alone);
+  CHECK(scanned_elsewhere == 0);
+  options.scans_ahead_after = 100;
+  isogloss::run(*f.linked, *memory_source(text), "t", options, {&helped}, said_helped);
+  if (std::thread::hardware_concurrency() > 1) CHECK(scanned_elsewhere > 0);
+  CHECK(alone.all == helped.all);
+  CHECK(said_alone.all.size() == said_helped.all.size());
+  CHECK(!said_alone.all.empty());
+  CHECK(alone.all.find("\"Seen\":19") != std::string::npos);
+}
+
+TEST_CASE("only scanners that say so are asked ahead") {
+  Fixture f(false);
+  RunOptions options;
+  options.scans_ahead_after = 100;
+  Collector out;
+  isogloss::run(*f.linked, *memory_source(program(40'000)), "t", options, {&out}, f.diagnostics);
+  CHECK(scanned_elsewhere == 0);
+}
+
+/// Waits until a line of the text is found; the text is what the run reads, from this line on.
+std::optional<ScannedLine> find_from(ScanAhead& ahead, std::string_view text, std::size_t first) {
+  const auto source = memory_source(text);
+  const Segmenter by_line{"line", {}, {}};
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (std::chrono::steady_clock::now() < end) {
+    Cursor cursor(*source, 1000, by_line);
+    for (Line line; cursor.next(line);) {
+      if (line.number < first) continue;
+      if (line.number % 64 == 0) std::this_thread::sleep_for(std::chrono::microseconds(10));  // as if it were run
+      if (const ScannedLine* const found = ahead.find(line)) {
+        CHECK(found->offset == line.offset);
+        CHECK(found->size == line.text.size());
+        return *found;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+TEST_CASE("lines are found again after jumps, back and forth") {
+  Fixture f;
+  std::string text;
+  for (int i = 0; i < 60'000; ++i) text += "X" + std::to_string(i % 10) + "\n";
+  ScanAhead ahead(*f.linked, {}, memory_source(text), "t", 0);
+  for (const std::size_t first : {1u, 40'000u, 100u, 20'000u}) {
+    const auto found = find_from(ahead, text, first);
+    REQUIRE(found);
+    CHECK(found->count == 1);
+    CHECK(found->is_left == 0);
+  }
+}
+
+}  // namespace
+}  // namespace isogloss::ahead_tests
