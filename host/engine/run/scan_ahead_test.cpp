@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <nlohmann/json.hpp>
 
 #include "isogloss/engine/document_json.hpp"
 #include "test_plugin.hpp"
