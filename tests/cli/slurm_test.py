@@ -80,6 +80,7 @@ class Cluster:
                                              ports=free_ports(2), folder=folder))
         self.environment = {**os.environ, "SLURM_CONF": str(file), "PATH": PATH}
         self.processes = [self.start("slurmctld", "-D", "-c"), self.start("slurmd", "-D")]
+        self.waiting = {}  # since when jobs wait for their time
 
     def start(self, *command):
         return subprocess.Popen(command, env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -96,23 +97,34 @@ class Cluster:
         node = self.processes.pop()
         node.kill()
         node.wait()
-        # What slurmd has just forked becomes a slurmstepd after its end: one that lives on would tell the controller that
-        # its part has failed, which no lost node does.
+        # What slurmd has just forked becomes a slurmstepd after its end: one that outlives its part would tell the controller
+        # that the part has failed, which no lost node does. So the parts end last.
         quiet_since = time.monotonic()
         while time.monotonic() - quiet_since < 0.5:
-            for process in self.found("slurmstepd") + self.found("slurmd", "-D") + self.workers():
-                try:
-                    os.kill(process, signal.SIGKILL)
-                    quiet_since = time.monotonic()
-                except (ProcessLookupError, PermissionError):
-                    pass
+            if self.kill(self.found("slurmstepd") + self.found("slurmd", "-D")):
+                quiet_since = time.monotonic()
+            time.sleep(0.02)
+        while self.kill(self.workers()):
             time.sleep(0.02)
         name = socket.gethostname().split(".")[0]
         self.ask("scontrol", "update", f"NodeName={name}", "State=DOWN", "Reason=lost")
         self.processes.append(self.start("slurmd", "-D"))
         self.ask("scontrol", "update", f"NodeName={name}", "State=RESUME")
 
-    def found(self, *words):
+    @staticmethod
+    def kill(processes):
+        """How many of them were there to be killed."""
+        count = 0
+        for process in processes:
+            try:
+                os.kill(process, signal.SIGKILL)
+                count += 1
+            except (ProcessLookupError, PermissionError):
+                pass
+        return count
+
+    @staticmethod
+    def found(*words):
         out = []
         for entry in pathlib.Path("/proc").iterdir():
             try:
@@ -128,10 +140,12 @@ class Cluster:
         return [p for p in self.found("--shard", str(self.folder)) if p not in self.found("--work", str(self.folder))]
 
     def hurry(self):
-        """A job that was requeued waits for two minutes otherwise."""
+        """A job that was requeued waits for two minutes otherwise. Two seconds it needs: a node counts those in which the
+        credential of a job was revoked, and refuses the job for good when it begins in the same one."""
         for line in self.ask("squeue", "-h", "-t", "PD", "-o", "%A %r").stdout.splitlines():
             job, reason = line.split(" ", 1)
-            if reason == "BeginTime":
+            if reason == "BeginTime" and time.monotonic() - self.waiting.setdefault(job, time.monotonic()) > 2:
+                del self.waiting[job]
                 self.ask("scontrol", "update", f"JobId={job}", "StartTime=now")
 
     def stop(self):
