@@ -23,7 +23,7 @@ bool CallReader::read_arguments(ig::Block& b, std::string_view text, std::size_t
     }
     if (at(text, next) == ')') return true;
     if (at(text, next) != ',' || arguments_.size() > 1000) {
-      b.report(ig::diag("SIE-0169"), ig::Where::columns(next, std::max(next + 1, text.size())),
+      b.report(ig::diag("SIE-0169"), columns_of(next, std::max(next + 1, text.size())),
                text.substr(std::min(next, text.size())));
       return false;
     }
@@ -47,12 +47,12 @@ void CallReader::name_of(ig::Block& b, std::string_view text, std::size_t begin,
 void CallReader::pass(ig::Block& b, const CycleFields& cycle, std::string_view text, std::size_t open,
                       std::size_t close) {
   if (!read_arguments(b, text.substr(0, close), open)) {
-    b.report(ig::diag("SIE-0182"), ig::Where::columns(begin_, written(close)), cycle.name());
+    b.report(ig::diag("SIE-0182"), columns_of(begin_, close), cycle.name());
     return;
   }
   if (arguments_.size() > cycle.size())
-    b.report(ig::diag("SIE-0184"), ig::Where::columns(begin_, written(close)), cycle.name(),
-             static_cast<double>(arguments_.size()), static_cast<double>(cycle.size()));
+    b.report(ig::diag("SIE-0184"), columns_of(begin_, close), cycle.name(), static_cast<double>(arguments_.size()),
+             static_cast<double>(cycle.size()));
   std::array<ig_word, CycleFields::most + 1> words;
   std::uint32_t count = 0;
   const std::uint16_t begin = column(begin_), end = column(written(close));

@@ -62,8 +62,8 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
   if (is_synchronized(text, position, name)) {
     const std::size_t last = statement_text_end(text, position);
     const std::string_view statement = piece(text, position, last);
-    b.report(switches_outputs(statement) ? ig::diag("SIE-0374") : ig::diag("SIE-0168"),
-             ig::Where::columns(position, last), statement);
+    b.report(switches_outputs(statement) ? ig::diag("SIE-0374") : ig::diag("SIE-0168"), columns_of(position, last),
+             statement);
     return statement_end(text, position);
   }
   if (const auto behind = curve(b, name, text, position, next)) return *behind;
@@ -86,7 +86,7 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
   } else if (is_foreign_cycle(name) && !silent_.holds(name)) {
     return of_control(b, text, name, end, end);
   } else if (const std::string_view missing = not_executed(name); !missing.empty()) {
-    b.report(ig::diag("SIE-0174"), ig::Where::columns(position, end), std::string_view(name), missing);
+    b.report(ig::diag("SIE-0174"), columns_of(position, end), std::string_view(name), missing);
     return end;
   } else if (name == "CALLPATH") {
     environment_.store().call_path.clear();
@@ -173,19 +173,19 @@ std::size_t CallReader::request(ig::Block& b, std::string_view text, std::size_t
     end_ = e.position();
     repeats_ = *times;
     if (!(repeats_ >= 0 && repeats_ <= 9999) || repeats_ != std::floor(repeats_)) {
-      b.report(ig::diag("SIE-0172"), ig::Where::columns(next, end_), std::string_view(program.name), *times);
+      b.report(ig::diag("SIE-0172"), columns_of(next, end_), std::string_view(program.name), *times);
       repeats_ = 0;
       return end_;
     }
   }
   if (const std::size_t rest = skip_blanks(text, end_); !is_alone(text, rest)) {
     const std::size_t last = statement_text_end(text, rest);
-    environment_.report_once(b, ig::diag("SIE-0173"), ig::Where::columns(begin_, last), begin_,
-                             std::string_view(program.name), piece(text, rest, last));
+    environment_.report_once(b, ig::diag("SIE-0173"), columns_of(begin_, last), begin_, std::string_view(program.name),
+                             piece(text, rest, last));
     return statement_end(text, rest);
   }
   if (b.is_raised(call_)) {
-    b.report(ig::diag("SIE-0167"), ig::Where::columns(begin_, end_), std::string_view(program.name));
+    b.report(ig::diag("SIE-0167"), columns_of(begin_, end_), std::string_view(program.name));
     return statement_end(text, end_);
   }
   program_ = std::move(program);

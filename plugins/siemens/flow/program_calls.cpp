@@ -55,7 +55,7 @@ void CallReader::call_program(ig::Block& b, ig::Where where) {
 
 std::size_t CallReader::of_control(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
                                    std::size_t close) {
-  const auto where = ig::Where::columns(begin_, close);
+  const auto where = columns_of(begin_, close);
   if (is_shopmill_step(name) || expanded_ != nullptr || b.find(modal_) || b.is_raised(call_)) {
     if (const ig_machine_code* const row = machine_.family(name)) return of_builder(b, text, close, open, *row);
     environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(name));
@@ -82,7 +82,7 @@ std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_
     program = CalledProgram::at(piece(text, next, path_end));
     next = skip_blanks(text, path_end);
     if (program.name.empty()) {
-      b.report(ig::diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+      b.report(ig::diag("SIE-0169"), columns_of(begin_, text.size()), text.substr(begin_));
       return text.size();
     }
   } else if (!is_name || (variable != nullptr && variable->value.is_text())) {
@@ -90,7 +90,7 @@ std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_
     const auto path = e.value();
     if (!path || !path->is_text()) {
       if (path || next >= text.size())
-        b.report(ig::diag("SIE-0169"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+        b.report(ig::diag("SIE-0169"), columns_of(begin_, text.size()), text.substr(begin_));
       return text.size();
     }
     program = CalledProgram::at(path->text);
@@ -105,7 +105,7 @@ std::size_t CallReader::indirect(ig::Block& b, std::string_view text, std::size_
   }
   next = skip_blanks(text, next);
   if (next < text.size() && how == "CALL") {
-    b.report(ig::diag("SIE-0171"), ig::Where::columns(begin_, text.size()), text.substr(begin_));
+    b.report(ig::diag("SIE-0171"), columns_of(begin_, text.size()), text.substr(begin_));
     return text.size();
   }
   return request(b, text, next, std::move(program), next);
@@ -115,7 +115,7 @@ std::size_t CallReader::of_builder(ig::Block& b, std::string_view text, std::siz
                                    const ig_machine_code& row) {
   const bool has_bracket = at(text, next) == '(';
   const std::size_t close = has_bracket ? skip_call(text, next) : end;
-  const auto where = ig::Where::columns(begin_, close);
+  const auto where = columns_of(begin_, close);
   const bool acts = row.does == IG_CODE_ACTS || row.does == IG_CODE_MOVES || row.does == IG_CODE_SETS;
   if (acts && b.find(modal_)) {
     b.report(ig::diag("SIE-0174"), where, ig::to_view(row.name),
