@@ -149,6 +149,7 @@ std::size_t CallReader::expand(ig::Block& b, std::string_view text, std::size_t 
   const ExpandedText as(text, position, end, macro);
   const bool is_flow = flow_word(piece(macro, 0, skip_name(macro, 0))) != FlowWord::none;
   expanded_ = &as;
+  const Environment::Reading reading(environment_, as);
   const std::size_t behind = is_flow ? position : scan(b, as.text(), position);
   expanded_ = nullptr;
   end_ = as.original(end_);

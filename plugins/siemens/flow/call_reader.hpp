@@ -82,9 +82,7 @@ class CallReader {
 
   /// The column in the program's own line.
   std::size_t written(std::size_t at) const { return expanded_ == nullptr ? at : expanded_->original(at); }
-  ig::Where columns_of(std::size_t begin, std::size_t end) const {
-    return ig::Where::columns(written(begin), written(end));
-  }
+  ig::Where columns_of(std::size_t begin, std::size_t end) const { return environment_.columns(begin, end); }
 
   /// A name for a call (DEFINE).
   std::size_t expand(ig::Block& b, std::string_view text, std::size_t position, std::size_t end,

@@ -19,6 +19,31 @@ namespace siemens {
 
 using namespace ig::cnc;
 
+/// A block in which the name from `begin` to `end` is replaced by its DEFINE text. Columns before `begin` do not
+/// change.
+class ExpandedText {
+ public:
+  ExpandedText(std::string_view text, std::size_t begin, std::size_t end, std::string_view by)
+      : begin_(begin), end_(end), macro_end_(begin + by.size()) {
+    text_.append(text.substr(0, begin)).append(by).append(text.substr(end));
+  }
+  std::string_view text() const { return text_; }
+  std::size_t macro_end() const { return macro_end_; }
+  /// The position in the original text for a position in the expanded text.
+  std::size_t original(std::size_t position) const {
+    return position <= begin_ ? position : std::max(position, macro_end_) - macro_end_ + end_;
+  }
+  /// In the original text: what lies in the name's text has the columns of the name.
+  ig::Where columns(std::size_t begin, std::size_t end) const {
+    const std::size_t first = begin < macro_end_ ? std::min(begin, begin_) : original(begin);
+    return ig::Where::columns(first, std::max(first, original(end)));
+  }
+
+ private:
+  std::string text_;
+  std::size_t begin_, end_, macro_end_;
+};
+
 class Environment {
  public:
   ig::Flow flow;
@@ -96,6 +121,23 @@ class Environment {
   }
   bool has_macros() const { return store().has_macros() || macros_.holds_any(); }
 
+  /// As long as it lives, the text that is read is this one, and not the program's own line.
+  class Reading {
+   public:
+    Reading(Environment& environment, const ExpandedText& text) : environment_(environment) {
+      environment_.expanded_ = &text;
+    }
+    ~Reading() { environment_.expanded_ = nullptr; }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+
+   private:
+    Environment& environment_;
+  };
+  /// Where a diagnostic of the text that is read belongs.
+  ig::Where columns(std::size_t begin, std::size_t end) const {
+    return expanded_ == nullptr ? ig::Where::columns(begin, end) : expanded_->columns(begin, end);
+  }
   /// Reports a diagnostic once for each place of the text, however often a loop or a subprogram comes there again.
   template <class... Args>
   void report_once(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, std::size_t column,
@@ -123,26 +165,7 @@ class Environment {
   ig::ExaminedConditions examined_;
   Macros macros_;
   MacroRecord record_;
-};
-
-/// A block in which the name from `begin` to `end` is replaced by its DEFINE text. Columns before `begin` do not
-/// change.
-class ExpandedText {
- public:
-  ExpandedText(std::string_view text, std::size_t begin, std::size_t end, std::string_view by)
-      : begin_(begin), end_(end), macro_end_(begin + by.size()) {
-    text_.append(text.substr(0, begin)).append(by).append(text.substr(end));
-  }
-  std::string_view text() const { return text_; }
-  std::size_t macro_end() const { return macro_end_; }
-  /// The position in the original text for a position in the expanded text.
-  std::size_t original(std::size_t position) const {
-    return position <= begin_ ? position : std::max(position, macro_end_) - macro_end_ + end_;
-  }
-
- private:
-  std::string text_;
-  std::size_t begin_, end_, macro_end_;
+  const ExpandedText* expanded_ = nullptr;
 };
 
 /// The position where the statement ends: at a comment (a ; inside a string is none) or at the end of the block.

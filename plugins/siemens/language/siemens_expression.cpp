@@ -66,7 +66,7 @@ std::optional<Value> Expression::level(int priority) {
     const std::string_view op = take_operator(priority);
     if (op.empty()) break;
     if (count == 1 && priority == loosest)
-      environment_.report_once(b_, ig::diag("SIE-0108"), ig::Where::columns(begin, at_), begin, shown(begin));
+      environment_.report_once(b_, ig::diag("SIE-0108"), environment_.columns(begin, at_), begin, shown(begin));
     const auto right = level(priority - 1);
     if (!right) return std::nullopt;
     left = apply(op, *left, *right, begin);

@@ -67,7 +67,7 @@ class Expression {
   void skip_blanks() { at_ = ig::cnc::skip_blanks(text_, at_); }
   template <class... Args>
   std::nullopt_t fail(ig::DiagnosticCode diagnostic, std::size_t begin, const Args&... args) {
-    if (!failed_) b_.report(diagnostic, ig::Where::columns(begin, std::max(at_, begin + 1)), args...);
+    if (!failed_) b_.report(diagnostic, environment_.columns(begin, std::max(at_, begin + 1)), args...);
     failed_ = true;
     return std::nullopt;
   }

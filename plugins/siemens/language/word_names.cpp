@@ -70,7 +70,7 @@ bool WordReader::is_assigned_variable(ig::Block& b, std::string_view text, std::
 }
 
 std::size_t WordReader::refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,
-                               std::size_t end) {
+                               std::size_t end) const {
   b.report(diagnostic, columns(begin, end), piece(text, begin, end));
   return end;
 }

@@ -189,15 +189,16 @@ std::size_t WordReader::expand(ig::Block& b, std::string_view text, std::size_t 
   const ExpandedText as(text, begin, end, macro);
   std::size_t next = skip_blanks(as.text(), begin);
   if (next >= as.macro_end() || (!is_name_start(as.text()[next]) && as.text()[next] != '$')) {
-    b.report(ig::diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+    b.report(ig::diag("SIE-0288"), ig::Where::columns(begin, end), std::string_view(macro));
     return end;
   }
   const std::size_t start = next;
   is_expanded_ = true;
+  const Environment::Reading reading(environment_, as);
   while (next < as.macro_end()) {
     if (names_other_macro(as.text(), next, piece(text, begin, end))) {
       is_expanded_ = false;
-      b.report(ig::diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+      b.report(ig::diag("SIE-0288"), ig::Where::columns(begin, end), std::string_view(macro));
       return end;
     }
     const std::size_t first = run.count, behind = item(b, as.text(), next, run);
@@ -212,17 +213,17 @@ std::size_t WordReader::expand(ig::Block& b, std::string_view text, std::size_t 
   is_expanded_ = false;
   if (next == start) return begin;
   if (next < as.macro_end()) {
-    b.report(ig::diag("SIE-0288"), columns(begin, end), std::string_view(macro));
+    b.report(ig::diag("SIE-0288"), ig::Where::columns(begin, end), std::string_view(macro));
     return end;
   }
   return as.original(next);
 }
 
-std::size_t WordReader::empty_word(ig::Block& b, std::string_view text, std::size_t begin) {
+std::size_t WordReader::empty_word(ig::Block& b, std::string_view text, std::size_t begin) const {
   return refuse(b, ig::diag("SIE-0121"), text, begin, begin + 1);
 }
 
-std::size_t WordReader::without_address(ig::Block& b, std::string_view text, std::size_t position) {
+std::size_t WordReader::without_address(ig::Block& b, std::string_view text, std::size_t position) const {
   const std::size_t end = skip_while(text, position, [](char c) { return is_number_part(c) || c == ',' || c == '='; });
   if (piece(text, position, end).find_first_of("0123456789") == std::string_view::npos) {
     leave(b, IG_LEFT_TEXT, piece(text, position, end), position, end);

@@ -66,11 +66,11 @@ class WordReader {
   /// Between CTABDEF and CTABEND, where words are points of a curve: they move nothing and stay for no later block.
   bool defines_curve() const { return environment_.store().curve_begins != 0; }
   bool ends_program(ig::Block& b, const Run& run) const;
-  static ig::Where columns(std::size_t begin, std::size_t end) { return ig::Where::columns(begin, end); }
-  static std::size_t refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,
-                            std::size_t end);
-  static std::size_t empty_word(ig::Block& b, std::string_view text, std::size_t begin);
-  static std::size_t without_address(ig::Block& b, std::string_view text, std::size_t position);
+  ig::Where columns(std::size_t begin, std::size_t end) const { return environment_.columns(begin, end); }
+  std::size_t refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,
+                     std::size_t end) const;
+  std::size_t empty_word(ig::Block& b, std::string_view text, std::size_t begin) const;
+  std::size_t without_address(ig::Block& b, std::string_view text, std::size_t position) const;
 
   // ---- word_names.cpp: addresses that are names
 
