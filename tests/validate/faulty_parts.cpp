@@ -204,6 +204,9 @@ std::size_t scan(void* pointer, const ig_host* host, ig_block* block, const char
 #endif
 #if defined(FAULT_scan_keeps_number)
   self.scanned = number;
+#elif defined(FAULT_scan_remembers)
+  word.value.number += self.scanned;
+  self.scanned = number;
 #endif
   host->set_words(block, &word, 1);
   return end;

@@ -156,6 +156,7 @@ FAULTS = {
     "option_trusts_end": ("options", "segmentation fault in PartSyntax of plugin option_trusts_end, at work in create()"),
     "scan_gives_word": ("scan", "its scan() gave a word and returned the position at which it was asked"),
     "scan_keeps_number": ("scan-ahead", "scanned ahead, and built by another instance, it gives"),
+    "scan_remembers": ("scan-ahead", "scanned ahead, and built by another instance, it gives"),
     "scan_reads_rest": ("scan", "reads the rest of the text again from each byte"),
     "table_text_on_stack": ("tables", "the text that its row_fault() returns is gone before the next call"),
     "asleep": ("declarations", "no field wakes it, so its build() is never called"),

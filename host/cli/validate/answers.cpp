@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "validate/host_functions.hpp"
+#include "isogloss/engine/host_functions.hpp"
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {

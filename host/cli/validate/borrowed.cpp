@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "isogloss/engine/host_functions.hpp"
 #include "validate/guarded_texts.hpp"
-#include "validate/host_functions.hpp"
 #include "validate/subject.hpp"
 
 namespace isogloss::cli {

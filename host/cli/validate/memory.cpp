@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "isogloss/engine/host_functions.hpp"
 #include "validate/allocation_counter.hpp"
-#include "validate/host_functions.hpp"
 #include "validate/option_values.hpp"
 #include "validate/subject.hpp"
 

@@ -25,7 +25,8 @@ bool holds_control_characters(std::string_view text) {
   return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
 }
 
-/// Those of which something was noted.
+/// Those of which something was noted. They are read from the last to the first, so that nothing may be kept of the
+/// block before.
 std::vector<Ahead> read_ahead(const Stand& stand, std::vector<TestBlock> blocks) {
   ChainSettings settings;
   settings.host = &ahead_table();
@@ -34,6 +35,7 @@ std::vector<Ahead> read_ahead(const Stand& stand, std::vector<TestBlock> blocks)
   Bench bench(stand.alone, settings);
   bench.chain().notes = &before;
   bench.start();
+  std::reverse(blocks.begin(), blocks.end());
   for (TestBlock& block : blocks) {
     if (holds_control_characters(block.text)) continue;
     Ahead ahead{std::move(block), {}, {}};
@@ -45,6 +47,7 @@ std::vector<Ahead> read_ahead(const Stand& stand, std::vector<TestBlock> blocks)
     ahead.leftovers = bench.chain().document().leftovers;
     if (ahead.notes.line.is_left == 0 && ahead.notes.line.count > 0) out.push_back(std::move(ahead));
   }
+  std::reverse(out.begin(), out.end());
   bench.chain().notes = &before;
   return out;
 }

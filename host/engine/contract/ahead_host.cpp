@@ -1,6 +1,7 @@
 #include "isogloss/engine/scanned_line.hpp"
 
 #include "contract/host_values.hpp"
+#include "isogloss/engine/host_functions.hpp"
 
 namespace isogloss {
 
@@ -19,9 +20,6 @@ struct Leaving<function> {
     return (host_table(Mode::fast).*function)(block, arguments...);
   }
 };
-template <auto function>
-constexpr auto leaving = Leaving<function>::call;
-
 std::int32_t get_ahead(const ig_block* block, ig_field f, ig_value* out) {
   const Document& d = doc(block);
   const bool is_there = get<Mode::fast>(block, f, out) != 0;
@@ -51,52 +49,21 @@ std::int32_t in_turn_ahead(ig_block* block) {
   return 0;
 }
 
+/// What a scanner may do ahead; all else leaves the line.
 constexpr ig_host make_table() {
-  return {.struct_size = sizeof(ig_host),
-          .flags = 0,  // every read is seen
-          .get = get_ahead,
-          .get_many = leaving<&ig_host::get_many>,
-          .take = leaving<&ig_host::take>,
-          .take_many = leaving<&ig_host::take_many>,
-          .set = set_ahead,
-          .set_many = leaving<&ig_host::set_many>,
-          .amend_many = leaving<&ig_host::amend_many>,
-          .erase = leaving<&ig_host::erase>,
-          .is_fresh = is_fresh<Mode::fast>,
-          .take_code = leaving<&ig_host::take_code>,
-          .find_code = leaving<&ig_host::find_code>,
-          .text = leaving<&ig_host::text>,
-          .set_text = leaving<&ig_host::set_text>,
-          .source = source,
-          .set_words = set_words_ahead,
-          .rewrite = leaving<&ig_host::rewrite>,
-          .move = leaving<&ig_host::move>,
-          .word = leaving<&ig_host::word>,
-          .add_leftover = leaving<&ig_host::add_leftover>,
-          .leftover = leaving<&ig_host::leftover>,
-          .set_transform = leaving<&ig_host::set_transform>,
-          .set_translation = leaving<&ig_host::set_translation>,
-          .transform = leaving<&ig_host::transform>,
-          .map_point = leaving<&ig_host::map_point>,
-          .frame_changed = leaving<&ig_host::frame_changed>,
-          .append = leaving<&ig_host::append>,
-          .count = leaving<&ig_host::count>,
-          .record = leaving<&ig_host::record>,
-          .set_record = leaving<&ig_host::set_record>,
-          .map_records = leaving<&ig_host::map_records>,
-          .symbol = leaving<&ig_host::symbol>,
-          .symbol_text = leaving<&ig_host::symbol_text>,
-          .report = leaving<&ig_host::report>,
-          .fault = leaving<&ig_host::fault>,
-          .flow = leaving<&ig_host::flow>,
-          .ahead = leaving<&ig_host::ahead>,
-          .fresh_many = fresh_many<Mode::fast>,
-          .set_moving_transform = leaving<&ig_host::set_moving_transform>,
-          .get_point = leaving<&ig_host::get_point>,
-          .take_point = leaving<&ig_host::take_point>,
-          .set_point = leaving<&ig_host::set_point>,
-          .fresh_point = fresh_point<Mode::fast>,
-          .in_turn = in_turn_ahead};
+  ig_host out{};
+  out.struct_size = sizeof out;
+  out.flags = 0;  // without IG_HOST_SHOWS_BLOCKS every read is seen
+  replace_functions<Leaving>(out);
+  out.get = get_ahead;
+  out.is_fresh = is_fresh<Mode::fast>;
+  out.fresh_many = fresh_many<Mode::fast>;
+  out.fresh_point = fresh_point<Mode::fast>;
+  out.source = source;
+  out.set = set_ahead;
+  out.set_words = set_words_ahead;
+  out.in_turn = in_turn_ahead;
+  return out;
 }
 
 constexpr ig_host table = make_table();

@@ -55,7 +55,7 @@ class Run final : StandingRun {
     Line line;
     while (!over_) {
       if (next_line(line)) {
-        if (result_.lines == options_.scans_ahead_after) [[unlikely]]
+        if (result_.lines >= scan_ahead_from_ && flow_.depth() == 0) [[unlikely]]
           scan_ahead();
         run_line(line);
       } else if (!flow_.is_over() && !flow_.leave_at_end(chain_.document()))
@@ -139,8 +139,9 @@ class Run final : StandingRun {
     return chain_.scan();
   }
 
-  /// Where a processor may be free, and nobody has to hear of the scanners.
+  /// The main program, where a processor may be free, and nobody has to hear of the scanners.
   [[gnu::cold, gnu::noinline]] void scan_ahead() {
+    scan_ahead_from_ = never;
     if (std::thread::hardware_concurrency() < 2 || options_.chain.mode != Mode::fast || options_.chain.call_all ||
         options_.chain.host != nullptr || options_.listener != nullptr || chain_.scanned)
       return;
@@ -398,6 +399,8 @@ class Run final : StandingRun {
   FiniteValues finite_;
   LookAheadWindow window_;
   bool over_ = false, program_ended_ = false, text_ended_ = false, reported_wide_ = false, is_utf16_ = false;
+  static constexpr std::uint64_t never = UINT64_MAX;
+  std::uint64_t scan_ahead_from_ = options_.scans_ahead_after == 0 ? never : options_.scans_ahead_after;
   const Source* scanned_ahead_ = nullptr;
   std::unique_ptr<ScanAhead> ahead_;
 };

@@ -55,7 +55,7 @@ void CallReader::pass(ig::Block& b, const CycleFields& cycle, std::string_view t
              static_cast<double>(cycle.size()));
   std::array<ig_word, CycleFields::most + 1> words;
   std::uint32_t count = 0;
-  const std::uint16_t begin = column(begin_), end = column(written(close));
+  const std::uint16_t begin = column(begin_), end = column(environment_.written(close));
   words[count++] = {cycle.code().code(0), begin, end, ig_value{}, 0, 0};
   for (std::size_t i = 0; i < std::min(arguments_.size(), cycle.size()); ++i) {
     const std::optional<Value>& v = arguments_[i].value;

@@ -140,7 +140,7 @@ std::optional<std::size_t> CallReader::curve(ig::Block& b, std::string_view name
 
 const std::string* CallReader::macro_at(ig::Block& b, std::string_view text, std::size_t position,
                                         std::size_t end) const {
-  if (expanded_ != nullptr || !environment_.has_macros() || environment_.flow.is_indexing()) return nullptr;
+  if (environment_.is_expanded() || !environment_.has_macros() || environment_.flow.is_indexing()) return nullptr;
   return environment_.macro(b, upper(piece(text, position, end)));
 }
 
@@ -148,10 +148,8 @@ std::size_t CallReader::expand(ig::Block& b, std::string_view text, std::size_t 
                                const std::string& macro) {
   const ExpandedText as(text, position, end, macro);
   const bool is_flow = flow_word(piece(macro, 0, skip_name(macro, 0))) != FlowWord::none;
-  expanded_ = &as;
   const Environment::Reading reading(environment_, as);
   const std::size_t behind = is_flow ? position : scan(b, as.text(), position);
-  expanded_ = nullptr;
   end_ = as.original(end_);
   if (behind <= position || skip_blanks(as.text(), behind) < as.macro_end()) {
     b.report(ig::diag("SIE-0288"), ig::Where::columns(position, end), std::string_view(macro));

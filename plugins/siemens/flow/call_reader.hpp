@@ -80,8 +80,6 @@ class CallReader {
   /// What DEFINE says of the name: one that looks like a code counts, too (DEFINE M6 AS L6).
   const std::string* macro_at(ig::Block& b, std::string_view text, std::size_t position, std::size_t end) const;
 
-  /// The column in the program's own line.
-  std::size_t written(std::size_t at) const { return expanded_ == nullptr ? at : expanded_->original(at); }
   ig::Where columns_of(std::size_t begin, std::size_t end) const { return environment_.columns(begin, end); }
 
   /// A name for a call (DEFINE).
@@ -151,7 +149,6 @@ class CallReader {
   CalledProgram program_;
   std::vector<Argument> arguments_;
   double repeats_ = 1;
-  const ExpandedText* expanded_ = nullptr;  // the text is what DEFINE says
 };
 
 }  // namespace siemens

@@ -56,7 +56,7 @@ void CallReader::call_program(ig::Block& b, ig::Where where) {
 std::size_t CallReader::of_control(ig::Block& b, std::string_view text, const std::string& name, std::size_t open,
                                    std::size_t close) {
   const auto where = columns_of(begin_, close);
-  if (is_shopmill_step(name) || expanded_ != nullptr || b.find(modal_) || b.is_raised(call_)) {
+  if (is_shopmill_step(name) || environment_.is_expanded() || b.find(modal_) || b.is_raised(call_)) {
     if (const ig_machine_code* const row = machine_.family(name)) return of_builder(b, text, close, open, *row);
     environment_.report_once(b, ig::diag("SIE-0181"), where, begin_, std::string_view(name));
     return close;

@@ -134,6 +134,9 @@ class Environment {
    private:
     Environment& environment_;
   };
+  bool is_expanded() const { return expanded_ != nullptr; }
+  /// The column in the program's own line.
+  std::size_t written(std::size_t at) const { return expanded_ == nullptr ? at : expanded_->original(at); }
   /// Where a diagnostic of the text that is read belongs.
   ig::Where columns(std::size_t begin, std::size_t end) const {
     return expanded_ == nullptr ? ig::Where::columns(begin, end) : expanded_->columns(begin, end);

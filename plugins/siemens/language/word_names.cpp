@@ -42,7 +42,7 @@ std::size_t WordReader::execute_string(ig::Block& b, std::string_view text, std:
   Expression e(b, environment_, text, open + 1);
   const auto value = e.value();
   if (!value) return end;
-  if (!value->is_text() || at(text, skip_blanks(text, e.position())) != ')' || is_expanded_) {
+  if (!value->is_text() || at(text, skip_blanks(text, e.position())) != ')' || environment_.is_expanded()) {
     b.report(ig::diag("SIE-0305"), columns(begin, end), trim(piece(text, open + 1, end - 1)));
     return end;
   }

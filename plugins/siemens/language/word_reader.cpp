@@ -86,7 +86,7 @@ std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t be
   const char c = to_upper(text[begin]);
   const std::size_t second = begin + 1;
   const char d = at(text, second);
-  if (environment_.has_macros() && !is_expanded_ && c != '$' && !environment_.flow.is_indexing())
+  if (environment_.has_macros() && !environment_.is_expanded() && c != '$' && !environment_.flow.is_indexing())
     if (const std::size_t end = skip_short_name(text, begin); at(text, skip_blanks(text, end)) != '=')
       if (const std::string* const macro = environment_.macro(b, upper(piece(text, begin, end))))
         return expand(b, text, begin, end, *macro, run);
@@ -193,11 +193,9 @@ std::size_t WordReader::expand(ig::Block& b, std::string_view text, std::size_t 
     return end;
   }
   const std::size_t start = next;
-  is_expanded_ = true;
   const Environment::Reading reading(environment_, as);
   while (next < as.macro_end()) {
     if (names_other_macro(as.text(), next, piece(text, begin, end))) {
-      is_expanded_ = false;
       b.report(ig::diag("SIE-0288"), ig::Where::columns(begin, end), std::string_view(macro));
       return end;
     }
@@ -210,7 +208,6 @@ std::size_t WordReader::expand(ig::Block& b, std::string_view text, std::size_t 
     next = skip_blanks(as.text(), behind);
     if (next < as.macro_end() && !is_name_start(as.text()[next]) && as.text()[next] != '$') break;
   }
-  is_expanded_ = false;
   if (next == start) return begin;
   if (next < as.macro_end()) {
     b.report(ig::diag("SIE-0288"), ig::Where::columns(begin, end), std::string_view(macro));

@@ -139,7 +139,6 @@ class WordReader {
                                              const Expression::Reference& to) const;
 
   std::size_t at_bracket_ = 0;
-  bool is_expanded_ = false;  // the text is what DEFINE says
 };
 
 }  // namespace siemens

@@ -1,20 +1,20 @@
-/// All functions of a host, so that a check can stand before each of them.
+/// All functions of a host, so that others can stand before each of them, or in their place.
 #pragma once
 
 #include <isogloss.h>
 
 #include <cstddef>
 
-namespace isogloss::cli {
+namespace isogloss {
 
 template <template <auto> class Call, auto... members>
-void replace_members(ig_host& out) {
+constexpr void replace_members(ig_host& out) {
   ((out.*members = Call<members>::call), ...);
 }
 
 /// Lets `Call<&ig_host::get>::call` answer in place of get(), and so on.
 template <template <auto> class Call>
-void replace_functions(ig_host& out) {
+constexpr void replace_functions(ig_host& out) {
   using H = ig_host;
   static_assert(sizeof(H) == offsetof(H, in_turn) + sizeof(H::in_turn), "a new function belongs into this list");
   replace_members<Call, &H::get, &H::get_many, &H::take, &H::take_many, &H::set, &H::set_many, &H::amend_many,
@@ -26,4 +26,4 @@ void replace_functions(ig_host& out) {
                   &H::set_point, &H::fresh_point, &H::in_turn>(out);
 }
 
-}  // namespace isogloss::cli
+}  // namespace isogloss
