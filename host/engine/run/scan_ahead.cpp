@@ -59,7 +59,6 @@ ScanAhead::ScanAhead(const LinkedDialect& linked, const RunOptions& options, std
     has_ended_ = true;
     changed_.notify_one();
   });
-  pthread_setname_np(thread_.native_handle(), "scan ahead");
 }
 
 ScanAhead::~ScanAhead() {
