@@ -15,7 +15,8 @@ struct KlartextCycle {
   static constexpr auto spec = ig::syntax("KlartextCycleSyntax", "CYCL DEF of cycles that are called, and CYCL CALL.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .before("KlartextDrillingCycleSyntax")
-                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
+                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0168",
                      "{0} defines no cycle that has a number: write CYCL DEF with the number of the cycle"),
@@ -42,6 +43,7 @@ struct KlartextCycle {
     const bool is_open = b.is_raised(is_open_);
     const char first = to_upper(text[position]);
     if ((!is_open && first != 'C' && first != 'Q') || !stands_first(text, position)) return position;
+    if ((is_open || first == 'Q') && !b.is_in_turn()) return position;
     const std::size_t end = statement_end(text, position);
     const std::size_t definition = keyword(text, position, "CYCL DEF"), call = keyword(text, position, "CYCL CALL");
     // Listings show the parameters of a cycle on lines of their own, without block numbers.
@@ -50,7 +52,7 @@ struct KlartextCycle {
     if (is_open && is_alone && !text_.values().is_indexing())
       return parameters(b, text.substr(0, end), position) == position ? position : end;
     if (is_open) b.erase(is_open_);
-    if (definition == position && call == position) return position;
+    if ((definition == position && call == position) || !b.is_in_turn()) return position;
     if (text_.values().is_indexing()) return end;
     if (call != position)
       read_call(b, text.substr(0, end), position, call);

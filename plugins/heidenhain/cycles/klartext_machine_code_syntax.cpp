@@ -19,7 +19,8 @@ struct KlartextMachineCode {
       ig::syntax("KlartextMachineCodeSyntax", "Cycles of the machine's builder, as MachineCodes says.")
           .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
           .before("KlartextCycleSyntax", "KlartextFrameCycleSyntax", "KlartextParameterSyntax")
-          .scans("CFTcft");
+          .scans("CFTcft")
+          .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0340", "the program {1} that {0} calls is not found, so it is not called: {2}"),
       ig::diagnostic(IG_ERROR, "HEI-0341",
@@ -45,7 +46,7 @@ struct KlartextMachineCode {
   ig::TextField file_name_{"SubProgramCall.FileName", ig::write};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    if (!machine_.holds_any() || !stands_first(text, position)) return position;
+    if (!machine_.holds_any() || !stands_first(text, position) || !b.is_in_turn()) return position;
     if (to_upper(text[position]) == 'F') return function(b, text, position);
     if (to_upper(text[position]) == 'T') return probing(b, text, position);
     const std::size_t definition = keyword(text, position, "CYCL DEF");

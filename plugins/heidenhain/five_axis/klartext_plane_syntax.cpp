@@ -20,7 +20,8 @@ struct KlartextPlane {
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
                                    .before("KlartextCycleSyntax", "IsoG68p2TiltSyntax", "G53p1RotaryPositionSyntax",
                                            "ToolCenterPointSyntax", "KlartextMotionSyntax", "McAbcSyntax")
-                                   .scans("CPcp");
+                                   .scans("CPcp")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0170",
                      "{0}: {1} is missing or is not a number, so the previous plane stays in force"),
@@ -58,7 +59,7 @@ struct KlartextPlane {
     if (!stands_first(text, position)) return position;
     const std::size_t plane = keyword(text, position, "PLANE");
     const std::size_t cycle = PlaneStatement::behind_cycle_19(text, position);
-    if (plane == position && cycle == position) return position;
+    if ((plane == position && cycle == position) || !b.is_in_turn()) return position;
     const std::size_t end = statement_end(text, position);
     if (text_.values().is_indexing()) return end;
     command_ = {};

@@ -16,7 +16,8 @@ namespace {
 struct KlartextLabel {
   static constexpr auto spec = ig::syntax("KlartextLabelSyntax", "LBL, CALL LBL with REP, CALL PGM and SEL PGM.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
-                                   .scans("CLScls");
+                                   .scans("CLScls")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0121", "the program {0} is not found, so it is not called: {1}"),
       ig::diagnostic(IG_ERROR, "HEI-0373", "no program is selected, so none is called: program SEL PGM before it"),
@@ -34,7 +35,7 @@ struct KlartextLabel {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     const auto found = statement_at(text, position);
-    if (!found || !stands_first(text, position)) return position;
+    if (!found || !stands_first(text, position) || !b.is_in_turn()) return position;
     const std::size_t end = statement_end(text, position);
     if (values_.is_indexing()) {
       if (found->kind == Kind::label) name_label(b, text, found->after, end);

@@ -19,7 +19,8 @@ struct KlartextFrameCycle {
   static constexpr auto spec = ig::syntax("KlartextFrameCycleSyntax", "Cycles that act where they are defined.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax", "KlartextCycleSyntax")
                                    .before("HeidenhainCoordinateOffsetSyntax", "KlartextDrillingCycleSyntax")
-                                   .scans("CFPSTcfpst");
+                                   .scans("CFPSTcfpst")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "HEI-0180",
                      "cycle 220 with Q365=1 goes from hole to hole in straight lines, not along the pitch circle"),
@@ -34,7 +35,8 @@ struct KlartextFrameCycle {
   DatumSelection tables_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    if (!stands_first(text, position)) return position;
+    const bool is_circle = to_upper(text[position]) == 'C' && to_upper(at(text, position + 1)) != 'Y';
+    if (is_circle || !stands_first(text, position) || !b.is_in_turn()) return position;
     if (const std::size_t end = trans(b, text, position); end != position) return end;
     if (const std::size_t end = tables_.select_table(b, text_.values(), text, position); end != position) return end;
     if (const std::size_t end = select_preset(b, text, position); end != position) return end;

@@ -11,8 +11,9 @@ using namespace ig::cnc;
 namespace {
 
 struct KlartextBlockNumber {
-  static constexpr auto spec =
-      ig::syntax("KlartextBlockNumberSyntax", "Reads the block number and the skip sign.").scans("0123456789/Nn");
+  static constexpr auto spec = ig::syntax("KlartextBlockNumberSyntax", "Reads the block number and the skip sign.")
+                                   .scans("0123456789/Nn")
+                                   .scans_ahead();
 
   BlockSkip skip_;
   ig::Out<std::int64_t> n_{"Source.N"};

@@ -61,7 +61,7 @@ class Values {
   std::optional<std::string_view> text(ig::Block& b, std::string_view text, std::size_t position,
                                        std::size_t& end) const {
     const auto number = text_parameter_at(text, position, end);
-    const auto held = number && store() != nullptr ? store()->text(*number) : std::nullopt;
+    const auto held = number && b.is_in_turn() && store() != nullptr ? store()->text(*number) : std::nullopt;
     if (held && used_.is_heard()) used_.read(b, "QS" + std::to_string(*number), *held);
     if (!held) b.report(ig::diag("HEI-0371"), ig::Where::columns(position, end), piece(text, position, end));
     return held;
@@ -86,10 +86,11 @@ class Values {
   /// True when the parameter has a value.
   bool has(ig::Block& b, const QNumber& q) const {
     const QStore* const s = store();
-    return s != nullptr && QStore::exists(q) && !std::isnan(s->get(q, program(b)));
+    return s != nullptr && b.is_in_turn() && QStore::exists(q) && !std::isnan(s->get(q, program(b)));
   }
   double get(ig::Block& b, const QNumber& q, std::string_view name, ig::Where where) const {
     const QStore* const s = store();
+    if (!b.is_in_turn()) return 0;
     if (s == nullptr || !QStore::exists(q)) {
       b.report(ig::diag("HEI-0114"), where, name);
       return 0;
@@ -135,7 +136,8 @@ class Values {
 
   /// Text in brackets is a comment on other controls and in simulators: it is reported once.
   void report_brackets(ig::Block& b, ig::Where where) const {
-    if (QStore* const s = store(); s == nullptr || s->is_first_time(0, "(")) b.report(ig::diag("HEI-0189"), where);
+    if (QStore* const s = store(); b.is_in_turn() && (s == nullptr || s->is_first_time(0, "(")))
+      b.report(ig::diag("HEI-0189"), where);
   }
 
   /// A formula to the end of its statement; nothing, with a diagnostic, where it has no result.

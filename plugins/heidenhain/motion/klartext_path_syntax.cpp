@@ -23,7 +23,8 @@ struct KlartextPath {
   static constexpr auto spec =
       ig::syntax("KlartextPathSyntax", "L, CC, C, CR, CT, polar LP, CP, CTP: words of a path block.")
           .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax")
-          .scans("ABCDILMRUVWXYZabcdilmruvwxyz");
+          .scans("ABCDILMRUVWXYZabcdilmruvwxyz")
+          .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0131", "{0} is not executed: the block moves to its point without the tool radius"),
       ig::diagnostic(IG_ERROR, "HEI-0133",

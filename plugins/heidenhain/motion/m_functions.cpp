@@ -70,7 +70,7 @@ std::size_t MFunctions::scan(ig::Block& b, const Values& values, std::string_vie
   const NumberedName name('M', m.number);
   const ig_machine_code* row = is_code ? machine_.find(name.text()) : nullptr;
   if (row == nullptr && is_code && !knows(m.number)) row = machine_.family(name.text());
-  if (row != nullptr) return of_builder(b, values, text, m, *row);
+  if (row != nullptr) return b.is_in_turn() ? of_builder(b, values, text, m, *row) : end;
   if (is_code && m.number <= most_m) return act(b, values, text, m);
   leave(b, IG_LEFT_UNKNOWN, piece(text, position, end), position, end);
   return end;
@@ -187,6 +187,7 @@ std::size_t MFunctions::reduce(ig::Block& b, std::string_view text, const Functi
 }
 
 void MFunctions::name_datum(ig::Block& b, const Values& values, const Function& m) const {
+  if (!b.is_in_turn()) return;
   bool is_known = false;
   for (std::uint32_t axis = 0; axis < axis_letters.size(); ++axis)
     is_known = is_known || axis_names_.position(axis, IG_AXIS_DATUM);

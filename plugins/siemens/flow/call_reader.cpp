@@ -49,6 +49,7 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
   const bool is_l = to_upper(text[position]) == 'L' && end > position + 1 && skip_digits(text, position + 1) == end;
   const std::string* const macro = macro_at(b, text, position, end);
   if (macro == nullptr && (end - position < 2 || (is_digit(at(text, position + 1)) && !is_l))) return position;
+  if (!b.is_in_turn()) return position;
   if (environment_.flow.is_indexing()) {
     for (const CycleSignature& s : pattern_signatures)
       if (equals_ignoring_case(piece(text, position, end), s.name))
@@ -132,7 +133,10 @@ ig::Status CallReader::build(ig::Block& b) {
 std::optional<std::size_t> CallReader::curve(ig::Block& b, std::string_view name, std::string_view text,
                                              std::size_t position, std::size_t next) {
   std::uint32_t& begins = environment_.store().curve_begins;
-  if (name == "CTABDEF") begins = std::max(environment_.flow.here(b).line, 1u);
+  if (name == "CTABDEF") {
+    other_meaning_.raise(b);
+    begins = std::max(environment_.flow.here(b).line, 1u);
+  }
   if (begins == 0 || name == "CTABDEF") return std::nullopt;
   if (name == "CTABEND") begins = 0;
   return at(text, next) == '(' ? skip_call(text, next) : skip_name(text, position);

@@ -68,6 +68,7 @@ class CallReader {
   RecordedMachineCodes recorded_;
   CodesOfMachineCodes codes_{machine_};
   Environment environment_;
+  OtherMeaning other_meaning_{ig::write};
   NameSet silent_{silent_list_.text()};
 
   // ---- call_reader.cpp: which call it is

@@ -12,7 +12,8 @@ struct SiemensCall {
   static constexpr auto spec = ig::syntax("SiemensCallSyntax", "Calls of subprograms and cycles.")
                                    .after("SiemensWordSyntax", "SiemensFlowSyntax", "SiemensDeclarationSyntax")
                                    .before("UnitModeSyntax", "ProgramEndSyntax")
-                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
+                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0168",
                      "the synchronized action '{0}' is not executed: the machine runs it in parallel with the program"),

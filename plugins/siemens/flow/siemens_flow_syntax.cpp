@@ -21,7 +21,8 @@ struct SiemensFlow {
       ig::syntax("SiemensFlowSyntax", "Labels, GOTO, IF, CASE, FOR, WHILE, LOOP, REPEAT, RET and M17.")
           .after("HeadIndexSyntax")
           .before("SiemensWordSyntax", "ProgramEndSyntax")
-          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_:");
+          .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_:")
+          .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0142", "the statement is not closed: write the {0} that belongs to it"),
       ig::diagnostic(IG_ERROR, "SIE-0143",
@@ -67,6 +68,7 @@ struct SiemensFlow {
     const bool is_section = equals_ignoring_case(piece(text, position, end), "CALL") && is_word(text, behind, "BLOCK");
     const Word word = returns_to ? Word::ret : is_section ? Word::block : flow_word(piece(text, position, end));
     if (word == Word::none || (at(text, behind) == '=' && at(text, behind + 1) != '=')) return position;
+    if (!b.is_in_turn()) return position;
     if (environment_.flow.is_indexing()) branches_.note(b, word, text, end);
     word_ = word;
     begin_ = position;

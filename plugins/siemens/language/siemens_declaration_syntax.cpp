@@ -20,7 +20,8 @@ struct SiemensDeclaration {
   static constexpr auto spec = ig::syntax("SiemensDeclarationSyntax", "DEF, DEFINE, PROC and EXTERN.")
                                    .after("SiemensFlowSyntax")
                                    .before("SiemensWordSyntax")
-                                   .scans("DPERdper");
+                                   .scans("DPERdper")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0161", "'{0}' is not executed: this declaration is not supported"),
       ig::diagnostic(IG_ERROR, "SIE-0162", "'{0}' does not belong in a declaration: write DEF REAL A=1, B, C[3]"),
@@ -33,6 +34,7 @@ struct SiemensDeclaration {
   };
 
   Environment environment_;
+  OtherMeaning other_meaning_{ig::write};
   ig::Signal saves_{"SiemensSave.~Begins", ig::write};
   ig::Signal statement_{"Parsing.~Declaration", ig::read | ig::write | ig::wake};
   ig::TextField program_{"Source.Program", ig::write};
@@ -42,7 +44,7 @@ struct SiemensDeclaration {
     const std::size_t end = skip_short_name(text, position);
     if (end - position < 3) return position;
     const Word word = word_of(piece(text, position, end));
-    if (word == Word::none || at(text, skip_blanks(text, end)) == '=') return position;
+    if (word == Word::none || at(text, skip_blanks(text, end)) == '=' || !b.is_in_turn()) return position;
     if (word == Word::proc && environment_.flow.is_indexing() && !b.is_raised(begun_)) {
       const std::size_t name = skip_blanks(text, end);
       environment_.flow.label(b, upper(piece(text, name, skip_name(text, name))), IG_LABEL_PROGRAM);
@@ -87,6 +89,7 @@ struct SiemensDeclaration {
       b.report(ig::diag("SIE-0162"), columns(text, name), text.substr(std::min(name, text.size())));
       return;
     }
+    other_meaning_.raise(b);
     environment_.store().define_macro(upper(piece(text, name, end)), std::string(text.substr(by)));
   }
 

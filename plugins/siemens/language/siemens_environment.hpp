@@ -44,6 +44,18 @@ class ExpandedText {
   std::size_t begin_, end_, macro_end_;
 };
 
+/// Raised from the first block on that has given words another meaning than their text alone: DEFINE, or CTABDEF. Only
+/// an instance that has executed this block knows which, so lines are no longer scanned ahead.
+class OtherMeaning {
+ public:
+  explicit OtherMeaning(ig::Access access) : signal_("SiemensWords.~OtherMeaning", access, ig::Life::modal) {}
+  void raise(ig::Block& b) const { b.raise(signal_); }
+  bool is_raised(const ig::Block& b) const { return b.is_raised(signal_); }
+
+ private:
+  ig::Signal signal_;
+};
+
 class Environment {
  public:
   ig::Flow flow;
@@ -54,6 +66,7 @@ class Environment {
 
   /// Reports a missing name once for the run, an array without its indices.
   void report_name(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, const std::string& name) const {
+    if (!b.is_in_turn()) return;
     const std::string base = name.substr(0, name.find('['));
     if (store().is_first_report(std::string(diagnostic.code) + '\n' + base))
       b.report(diagnostic, where, std::string_view(base));
@@ -61,6 +74,7 @@ class Environment {
 
   /// Call it before variables are read or written in a block.
   void enter(ig::Block& b) const {
+    if (!b.is_in_turn()) return;
     store().enter(flow.frame(b).id);
     for (const VariableStore::NotGivenBack& v : std::exchange(store().not_given_back, {}))
       report_not_stored(b, ig::Where::block(), v.name, v.value, v.outcome);
@@ -111,6 +125,7 @@ class Environment {
 
   /// The text of a macro: by DEFINE in the program or, which the block then shows, of the table SiemensMacros.
   const std::string* macro(ig::Block& b, const std::string& name) const {
+    if (!b.is_in_turn()) return nullptr;
     if (const std::string* const own = store().macro(name)) return own;
     const MachineMacro* const macro = macros_.find(name);
     if (macro != nullptr) record_.add(b, name, *macro);
@@ -145,6 +160,7 @@ class Environment {
   template <class... Args>
   void report_once(ig::Block& b, ig::DiagnosticCode diagnostic, const ig::Where& where, std::size_t column,
                    const Args&... args) const {
+    if (!b.is_in_turn()) return;
     const ig_frame f = flow.frame(b);
     const ig_place here = flow.here(b);
     std::string place = std::string(diagnostic.code) + '\n';

@@ -13,7 +13,8 @@ struct SiemensWord {
   static constexpr auto spec = ig::syntax("SiemensWordSyntax", "Words, codes and assignments of the Siemens language.")
                                    .after("HeadIndexSyntax")
                                    .before("ParameterizedFlagSyntax")
-                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$0123456789+-.,=");
+                                   .scans("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$0123456789+-.,=")
+                                   .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0115",
                      "'{0}' has no address before it, so nothing is executed for it: write its address"),

@@ -79,6 +79,7 @@ struct WordReader::Group {
 
 std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::size_t begin, Run& run) {
   if (environment_.flow.is_indexing()) return block_end(text, begin);
+  if (!b.is_in_turn()) return begin;
   give(b, run);
   Expression target(b, environment_, text, begin);
   const auto reference = target.reference();

@@ -23,6 +23,7 @@ bool is_action_number(std::string_view text, std::size_t begin) {
 }  // namespace
 
 std::size_t WordReader::scan(ig::Block& b, std::string_view text, std::size_t position) {
+  if (other_meaning_.is_raised(b) && !b.is_in_turn()) return position;
   const char first = text[position];
   if (!is_name_start(first) && first != '$') return without_address(b, text, position);
   Run run;
@@ -161,6 +162,7 @@ void WordReader::set_code(ig::Block& b, Run& run, char letter, std::uint32_t n, 
   const ig_machine_code* row = machine_.find(name.text());
   if (row == nullptr && fields_.code(letter, n) == IG_NO_FIELD) row = machine_.family(name.text());
   if (row == nullptr) return set_known(b, run, letter, n, begin, end);
+  if (!b.is_in_turn()) return;
   if (!environment_.flow.is_indexing() && !defines_curve()) record_.add(b, *row, columns(begin, end), name.text());
   for_each_code(*row, [&](std::string_view code) {
     if (const auto number = whole_number_of_code(code))

@@ -30,6 +30,7 @@ class WordReader {
   AssignedFrame frame_{ig::write};
   ig::TextField tool_name_{"ToolName.Text", ig::write, {ig::Life::block, "", "T=\"…\" of this block."}};
   Environment environment_;
+  OtherMeaning other_meaning_{ig::read};
   MachineCodes machine_;
   MachineCodeRecord record_;
   ig::IntegerOption master_{"master-spindle", "1", {1, 31}, "The spindle of S and M3; S1= and M1= name one."};

@@ -97,7 +97,7 @@ std::size_t WordReader::line_end_of_fault(std::string_view text, std::size_t pos
 
 std::size_t WordReader::extended(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end,
                                  const std::string& name, double value, Run& run) const {
-  if (defines_curve()) return end;
+  if (!b.is_in_turn() || defines_curve()) return end;
   const char letter = name[0];
   const bool is_master = name.size() == 1 || is_master_spindle(name.substr(1)) || (letter == 'M' && name == "M0");
   if (!is_master || letter == 'H') {
@@ -121,6 +121,7 @@ bool WordReader::is_master_spindle(std::string_view number) const {
 
 std::size_t WordReader::of_spindle(ig::Block& b, std::string_view text, std::size_t begin, std::size_t equals,
                                    const std::string& indexed, Run& run) {
+  if (!b.is_in_turn()) return begin;
   const std::size_t bracket = indexed.find('[');
   const std::string name = indexed.substr(0, bracket);
   const Assigned a = assigned(b, text, equals);
@@ -142,6 +143,7 @@ std::string WordReader::extended_name(const std::string& indexed) const {
 
 std::size_t WordReader::tool_of_spindle(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value_at,
                                         Run& run, const std::string& number) const {
+  if (!b.is_in_turn()) return begin;
   if (is_master_spindle(number)) return tool(b, text, begin, value_at, run, "T");
   Expression e(b, environment_, text, value_at);
   if (!e.value()) return line_end_of_fault(text, std::max(e.position(), value_at));
@@ -151,6 +153,7 @@ std::size_t WordReader::tool_of_spindle(ig::Block& b, std::string_view text, std
 
 std::size_t WordReader::tool(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value_at, Run& run,
                              const std::string& name) const {
+  if (!b.is_in_turn()) return begin;
   if (defines_curve()) return line_end_of_fault(text, value_at);
   const std::size_t end_of_name = skip_name(text, value_at);
   Expression e(b, environment_, text, value_at);
