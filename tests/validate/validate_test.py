@@ -181,7 +181,7 @@ class Case(unittest.TestCase):
     def run_it(self, *arguments):
         environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
         return subprocess.run([OPTIONS.isogloss, "validate", *map(str, arguments)], capture_output=True, text=True,
-                              timeout=600, check=False, env=environment)
+                              timeout=1800, check=False, env=environment)
 
     def checks(self, *arguments):
         done = self.run_it(*arguments, "--json")
