@@ -2,8 +2,14 @@
 /// blocks are executed. Lines come out in the same order and are the same bytes as without it.
 #pragma once
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <condition_variable>
 #include <cstring>
 #include <deque>
@@ -46,39 +52,37 @@ class MotionQueue {
     line_ = source.line;
     if (source.file.data() == file_.data() && source.file.size() == file_.size()) return;
     file_ = source.file;
-    add_named(Kind::file, source.file);
+    add_named({.kind = Kind::file}, source.file);
   }
   /// A new run begins: its file's name may stand where the last one's stood.
   void forget_file() { file_ = {}; }
 
   void move(const Move& m) {
-    Event& e = add(Kind::move);
-    e.move = m.kind;
-    e.is_manual = m.is_manual;
-    e.is_led = m.is_led;
-    e.has_number = m.has_feed;
-    e.number = m.feed_mmds;
-    e.program = static_cast<std::uint16_t>(m.program.known);
-    e.machine = static_cast<std::uint16_t>(m.machine.known);
-    std::memcpy(e.at, m.program.at, 3 * sizeof e.at[0]);
-    std::memcpy(e.at + 3, m.machine.at, 6 * sizeof e.at[0]);
+    make_room();
+    add({.kind = Kind::move,
+         .move = m.kind,
+         .is_manual = m.is_manual,
+         .is_led = m.is_led,
+         .has_number = m.has_feed,
+         .program = static_cast<std::uint8_t>(m.program.known),
+         .machine = static_cast<std::uint8_t>(m.machine.known)},
+        m.feed_mmds, m.program.at, m.machine.at);
+    if (has_rotary(m)) filling_->rotary.push_back({m.machine.at[3], m.machine.at[4], m.machine.at[5]});
     if (m.kind != Move::Kind::arc) return;
     filling_->arcs.push_back(m.arc);
     std::string_view& plane = filling_->arcs.back().plane;
     const auto* const known = std::find(std::begin(planes), std::end(planes), plane);
     plane = known != std::end(planes) ? *known : std::string_view(filling_->texts[keep(plane)]);
   }
-  void dwell(double seconds) { add(Kind::dwell).number = seconds; }
-  void orient(double degrees) { add(Kind::orient).number = degrees; }
-  void tool(std::int64_t id) { add(Kind::tool).id = id; }
+  void dwell(double seconds) { add(Kind::dwell, seconds); }
+  void orient(double degrees) { add(Kind::orient, degrees); }
+  void tool(std::int64_t id) { add(Kind::tool, std::bit_cast<double>(id)); }
   void spindle(std::string_view direction, bool has_speed, double rpm) {
-    Event& e = add_named(Kind::spindle, direction);
-    e.has_number = has_speed;
-    e.number = rpm;
+    add_named({.kind = Kind::spindle, .has_number = has_speed}, direction, rpm);
   }
-  void coolant(std::string_view mode) { add_named(Kind::coolant, mode); }
-  void stop(std::string_view term) { add_named(Kind::stop, term); }
-  void end(std::string_view term) { add_named(Kind::end, term); }
+  void coolant(std::string_view mode) { add_named({.kind = Kind::coolant}, mode); }
+  void stop(std::string_view term) { add_named({.kind = Kind::stop}, term); }
+  void end(std::string_view term) { add_named({.kind = Kind::end}, term); }
 
   /// False once the output accepts no more.
   bool ok() const { return !closed_.load(std::memory_order_relaxed); }
@@ -103,25 +107,42 @@ class MotionQueue {
   static constexpr std::size_t batch_size = 2048;
   static constexpr std::size_t cache_line = 64;
   enum class Kind : std::uint8_t { file, move, dwell, orient, tool, spindle, coolant, stop, end };
-  struct Event {
+  struct Head {
     Kind kind;
-    Move::Kind move;
-    bool is_manual, has_number;
-    std::uint32_t line;
-    std::uint16_t program, machine;  // AxisPoint::known
-    bool is_led;
-    union {
-      double number;
-      std::int64_t id;
-    };
-    double at[9];
-    std::uint32_t text;  // of Batch::texts
+    Move::Kind move = {};
+    bool is_manual = false, is_led = false, has_number = false;
+    std::uint8_t program = 0, machine = 0;  // AxisPoint::known
+
+    std::uint64_t packed(std::uint32_t line) const {
+      const unsigned what = static_cast<unsigned>(kind) | static_cast<unsigned>(move) << 4 | unsigned{is_manual} << 8 |
+                            unsigned{is_led} << 9 | unsigned{has_number} << 10;
+      return line | std::uint64_t{what | unsigned{program} << 16 | unsigned{machine} << 24} << 32;
+    }
+    static Head of(std::uint64_t packed) {
+      const auto what = static_cast<std::uint32_t>(packed >> 32);
+      return {static_cast<Kind>(what & 15),
+              static_cast<Move::Kind>(what >> 4 & 15),
+              (what >> 8 & 1) != 0,
+              (what >> 9 & 1) != 0,
+              (what >> 10 & 1) != 0,
+              static_cast<std::uint8_t>(what >> 16),
+              static_cast<std::uint8_t>(what >> 24)};
+    }
   };
+  /// One line of the cache.
+  struct alignas(cache_line) Event {
+    std::uint64_t head;  // Head::packed() with the line of the program
+    double number;       // the bits of an integer where it is a tool
+    double at[6];        // X Y Z in program and in machine coordinates; or [0]: which of Batch::texts
+  };
+  static_assert(sizeof(Event) == cache_line);
+  static bool has_rotary(const Move& m) { return m.machine.known > AxisPoint::xyz; }
   struct alignas(cache_line) Batch {
     std::unique_ptr<Event[]> events;  // made when the batch is filled for the first time
     std::size_t count = 0;
-    std::vector<Arc> arcs;          // of the arcs among the events, in their order
-    std::deque<std::string> texts;  // names, which outlive the run that produced them
+    std::vector<Arc> arcs;                      // of the arcs among the events, in their order
+    std::vector<std::array<double, 3>> rotary;  // A B C of the moves that has_rotary() names
+    std::deque<std::string> texts;              // names, which outlive the run that produced them
   };
   /// A batch is empty after it was written, also after it could not be.
   class Emptied {
@@ -130,6 +151,7 @@ class MotionQueue {
     ~Emptied() {
       batch_.count = 0;
       batch_.arcs.clear();
+      batch_.rotary.clear();
       batch_.texts.clear();
     }
     Emptied(const Emptied&) = delete;
@@ -141,35 +163,34 @@ class MotionQueue {
   static constexpr std::string_view planes[] = {"XY", "ZX", "YZ"};
   static constexpr std::size_t batch_count = 3;
 
-  Event& add(Kind kind) {
+  void make_room() {
     if (filling_->count == batch_size) hand_over();
+  }
+  /// Written past the caches: the writer read this memory last, on another core, from which each line would have to
+  /// come back first.
+  [[gnu::always_inline]] void add(const Head& head, double number, const double (&program)[6],
+                                  const double (&machine)[6]) {
     Event& e = filling_->events[filling_->count++];
-    prefetch(filling_->count);
-    e.kind = kind;
-    e.line = line_;
-    return e;
-  }
-  /// The writer read this memory last, on another core, from which each line of the cache has to come back.
-  void prefetch(std::size_t next) const {
-    constexpr std::size_t ahead = 8;
-    const char* const at =
-        reinterpret_cast<const char*>(filling_->events.get() + std::min(next + ahead, batch_size - 1));
-    prefetch_to_write(at);
-    prefetch_to_write(at + cache_line);
-  }
-  static void prefetch_to_write(const char* at) {
-#ifdef __x86_64__
-    // Without -mprfchw, which not every processor has, __builtin_prefetch() asks to read and leaves the line shared.
-    asm volatile("prefetchw %0" : : "m"(*at));
+    const std::uint64_t packed = head.packed(line_);
+#ifdef __SSE2__
+    double* const to = reinterpret_cast<double*>(&e);
+    _mm_stream_pd(to, _mm_set_pd(number, std::bit_cast<double>(packed)));
+    _mm_stream_pd(to + 2, _mm_set_pd(program[1], program[0]));
+    _mm_stream_pd(to + 4, _mm_set_pd(machine[0], program[2]));
+    _mm_stream_pd(to + 6, _mm_set_pd(machine[2], machine[1]));
 #else
-    __builtin_prefetch(at, 1);
+    e = {packed, number, {program[0], program[1], program[2], machine[0], machine[1], machine[2]}};
 #endif
   }
-  /// The event first: a full batch takes its names with it.
-  Event& add_named(Kind kind, std::string_view text) {
-    Event& e = add(kind);
-    e.text = keep(text);
-    return e;
+  void add(Kind kind, double number) {
+    make_room();
+    constexpr double nowhere[6] = {};
+    add({.kind = kind}, number, nowhere, nowhere);
+  }
+  void add_named(const Head& head, std::string_view text, double number = 0) {
+    make_room();  // first: a full batch takes its names with it
+    const double at[6] = {static_cast<double>(keep(text))};
+    add(head, number, at, at);
   }
   std::uint32_t keep(std::string_view text) {
     filling_->texts.emplace_back(text);
@@ -201,6 +222,9 @@ class MotionQueue {
 
   /// The full batch goes to the worker; waits while all others are full, too.
   void submit() {
+#ifdef __SSE2__
+    _mm_sfence();
+#endif
     std::unique_lock lock(mutex_);
     ++submitted_;
     changed_.notify_all();
@@ -229,45 +253,51 @@ class MotionQueue {
 
   void write(Batch& batch) {
     const Emptied emptied(batch);
-    std::size_t arc = 0;
+    const Arc* arc = batch.arcs.data();
+    const std::array<double, 3>* rotary = batch.rotary.data();
     BlockSource source{written_file_, 0, 0, {}};
     for (const Event& e : std::span(batch.events.get(), batch.count)) {
       if (closed_) break;
-      source.line = e.line;
-      if (e.kind == Kind::file) {
-        written_file_ = batch.texts[e.text];
+      const Head head = Head::of(e.head);
+      const auto text = [&]() -> const std::string& { return batch.texts[static_cast<std::size_t>(e.at[0])]; };
+      source.line = static_cast<std::uint32_t>(e.head);
+      if (head.kind == Kind::file) {
+        written_file_ = text();
         source.file = written_file_;
         lines_.forget_file();
       }
       lines_.block(source);
-      switch (e.kind) {
-        case Kind::move: write_move(e, e.move == Move::Kind::arc ? &batch.arcs[arc++] : nullptr); break;
+      switch (head.kind) {
+        case Kind::move:
+          read_move(head, e);
+          if (has_rotary(move_)) std::copy_n((rotary++)->data(), 3, move_.machine.at + 3);
+          if (head.move == Move::Kind::arc) move_.arc = *arc++;
+          lines_.move(move_);
+          break;
         case Kind::dwell: lines_.dwell(e.number); break;
         case Kind::orient: lines_.orient(e.number); break;
-        case Kind::tool: lines_.tool(e.id); break;
-        case Kind::spindle: lines_.spindle(batch.texts[e.text], e.has_number, e.number); break;
-        case Kind::coolant: lines_.coolant(batch.texts[e.text]); break;
-        case Kind::stop: lines_.stop(batch.texts[e.text]); break;
-        case Kind::end: lines_.end(batch.texts[e.text]); break;
+        case Kind::tool: lines_.tool(std::bit_cast<std::int64_t>(e.number)); break;
+        case Kind::spindle: lines_.spindle(text(), head.has_number, e.number); break;
+        case Kind::coolant: lines_.coolant(text()); break;
+        case Kind::stop: lines_.stop(text()); break;
+        case Kind::end: lines_.end(text()); break;
         case Kind::file: break;
       }
       if (!lines_.buffer().ok()) closed_ = true;
     }
   }
 
-  void write_move(const Event& e, const Arc* arc) {
+  void read_move(const Head& head, const Event& e) {
     Move& m = move_;
-    m.kind = e.move;
-    m.is_manual = e.is_manual;
-    m.is_led = e.is_led;
-    m.has_feed = e.has_number;
+    m.kind = head.move;
+    m.is_manual = head.is_manual;
+    m.is_led = head.is_led;
+    m.has_feed = head.has_number;
     m.feed_mmds = e.number;
-    m.program.known = e.program;
-    m.machine.known = e.machine;
+    m.program.known = head.program;
+    m.machine.known = head.machine;
     std::memcpy(m.program.at, e.at, 3 * sizeof e.at[0]);
-    std::memcpy(m.machine.at, e.at + 3, 6 * sizeof e.at[0]);
-    if (arc != nullptr) m.arc = *arc;
-    lines_.move(m);
+    std::memcpy(m.machine.at, e.at + 3, 3 * sizeof e.at[0]);
   }
 
   // The producer's. What each thread writes all the time has lines of the cache to itself.

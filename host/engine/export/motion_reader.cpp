@@ -22,6 +22,17 @@ struct PlaneAxes {
   int first, second;
 };
 
+/// Three values that are written together: a copy that follows at once reads them in larger pieces, and would have to
+/// wait for stores of single ones.
+struct Xyz {
+  double x, y, z;
+  void put(double (&out)[6]) const {
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+  }
+};
+
 void copy_xyz(double (&to)[6], const double (&from)[6]) { std::memcpy(to, from, 3 * sizeof from[0]); }
 
 void advance(AxisPoint& position, const AxisPoint& to) {
@@ -133,6 +144,9 @@ void MotionReader::begin(const Document& initial, const SymbolTable& symbols) {
     if (others_.empty() || others_.back().word != f >> 6) others_.push_back({f >> 6, 0});
     others_.back().bits |= std::uint64_t{1} << (f & 63);
   }
+  step_events_ = 0;
+  for (const ig_field f : {item_dwell_, item_orient_, item_direction_})
+    if (f < 64) step_events_ |= std::uint64_t{1} << f;
   for (KnownName* name : {&linear_, &led_, &arc_, &stop_, &off_, &xy_, &zx_, &yz_}) name->forget();
 
   position_ = {};
@@ -189,9 +203,45 @@ void MotionReader::read_point(const Values& values, const AxisFields& fields, Ax
 }
 
 template <class Values>
+bool MotionReader::is_plain(const Values& values, const Fields& fields) const {
+  return position_.known == AxisPoint::xyz && fields.machine.run != 0 && fields.program.run != 0 &&
+         (values.bits_from(fields.machine.ids[0]) & fields.machine.run) == AxisPoint::xyz &&
+         (values.bits_from(fields.program.ids[0]) & fields.program.run) == AxisPoint::xyz;
+}
+
+template <class Values>
+const Move* MotionReader::make_plain_move(const Values& values, const Fields& fields) {
+  const ig_field machine = fields.machine.ids[0], program = fields.program.ids[0];
+  const Xyz to{values.number(machine), values.number(machine + 1), values.number(machine + 2)};
+  const Xyz named{values.number(program), values.number(program + 1), values.number(program + 2)};
+  const Xyz from{position_.at[0], position_.at[1], position_.at[2]};
+  // The axes that move change from move to move: no branch for each.
+  const int staying = int{std::abs(to.x - from.x) <= same_place_mm} + int{std::abs(to.y - from.y) <= same_place_mm} +
+                      int{std::abs(to.z - from.z) <= same_place_mm};
+  if (staying == 3 && !keep_zero_moves_) return nullptr;
+  Move& m = move_;
+  to.put(m.machine.at);
+  to.put(position_.at);
+  named.put(m.program.at);
+  named.put(program_position_.at);
+  from.put(m.from.at);
+  m.from.known = m.machine.known = m.program.known = AxisPoint::xyz;
+  program_position_.known |= AxisPoint::xyz;
+  is_in_frame_ = true;
+  const bool is_rapid = values.present(fields.is_rapid) && values.value(fields.is_rapid).integer != 0;
+  m.kind = is_rapid ? Move::Kind::rapid : Move::Kind::feed;
+  m.is_manual = values.present(fields.is_manual) && values.value(fields.is_manual).integer != 0;
+  m.is_led = false;
+  m.has_feed = !is_rapid && values.present(fields.feed);
+  m.feed_mmds = m.has_feed ? values.number(fields.feed) : 0;
+  return &m;
+}
+
+template <class Values>
 const Move* MotionReader::make_move(const Values& values, const Fields& fields, Document& d,
                                     const SymbolTable& symbols) {
   const auto form = static_cast<ig_symbol>(values.value(fields.form).symbol);
+  if (linear_.is(form, symbols) && is_plain(values, fields)) return make_plain_move(values, fields);
   const bool is_led = !linear_.is(form, symbols) && led_.is(form, symbols);
   const bool is_arc = !is_led && !linear_.is(form, symbols) && arc_.is(form, symbols);
   const bool is_rapid = values.present(fields.is_rapid) && values.value(fields.is_rapid).integer != 0;

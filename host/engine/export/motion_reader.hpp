@@ -134,6 +134,11 @@ class MotionReader {
   static void read_point(const Values& values, const AxisFields& fields, AxisPoint& point);
   template <class Values>
   const Move* make_move(const Values& values, const Fields& fields, Document& d, const SymbolTable& symbols);
+  /// A machine that has nothing but X, Y and Z goes straight to a point of which all three are known.
+  template <class Values>
+  bool is_plain(const Values& values, const Fields& fields) const;
+  template <class Values>
+  const Move* make_plain_move(const Values& values, const Fields& fields);
   template <class Values>
   void make_arc(const Values& values, const Fields& fields, Document& d, const SymbolTable& symbols);
   bool goes_nowhere() const;
@@ -173,6 +178,7 @@ class MotionReader {
       const Record item{list.values.data() + std::size_t{i} * list.stride, list.present[i]};
       if (item.present(item_.form))
         if (const Move* move = item_move(item, d, symbols)) events.move(*move);
+      if ((item.mask & step_events_) == 0) continue;
       if (item.present(item_dwell_)) events.dwell(item.number(item_dwell_));
       if (item.present(item_orient_)) tell_orient(item.number(item_orient_), events);
       if (item.present(item_direction_))
@@ -209,6 +215,7 @@ class MotionReader {
   AxisFields led_start_;       // where a block begins that changes its frame and leads the tip
   AxisFields program_before_;  // ProgramXyz as it was carried into the block
   std::size_t list_ = 0;
+  std::uint64_t step_events_ = 0;  // the fields of a step that make events beside its move
   std::vector<FreshMask> others_;  // the fields that make events without a motion
   ig_field is_change_{}, tool_{}, spindle_tool_{}, direction_{}, speed_{}, coolant_{}, dwell_{}, orient_{}, plane_{},
       program_stop_{}, program_end_{}, item_dwell_{}, item_direction_{}, item_orient_{};

@@ -37,6 +37,7 @@ struct PartialVec3 {
   constexpr bool has(std::size_t axis) const { return (mask >> axis & 1u) != 0; }
   constexpr bool complete() const { return mask == 7u; }
   constexpr Vec3 or_else(const Vec3& other) const {
+    if (complete()) return value;
     return {has(0) ? value.x : other.x, has(1) ? value.y : other.y, has(2) ? value.z : other.z};
   }
 };

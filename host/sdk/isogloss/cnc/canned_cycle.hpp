@@ -41,7 +41,9 @@ inline constexpr std::string_view cycle_words = "X Y Z R Q P[] I J K[1] L[1] F";
 struct CycleWords {
   enum Address : std::size_t { X, Y, Z, R, Q, P, I, J, K, L, F, address_count };  // the order of cycle_words
   std::uint32_t mask = 0;
-  std::array<ig_value, address_count> values;
+  std::array<ig_value, address_count> values;  ///< those that the mask names
+
+  CycleWords() {}  // NOLINT(modernize-use-equals-default): it would set all values to 0 in each call
 
   bool has(std::size_t address) const { return (mask >> address & 1u) != 0; }
   std::optional<double> operator[](std::size_t address) const {
@@ -87,6 +89,8 @@ struct CycleHole {
 
 /// A resolved call, ready to be carried out. Lengths and levels in mm of program coordinates.
 struct CycleRun {
+  CycleRun() {}  // NOLINT(modernize-use-equals-default): it would set all of it to 0 first
+
   Symbol code;
   std::size_t row = 0;  ///< index of the code in the list that the syntax gave
   CycleWords words;
@@ -116,12 +120,12 @@ class CannedCycle {
   /// Takes the call of this block; nothing where the block holds none of the codes. Puts the F of the call in force and
   /// begins the compound motion. Reports a negative P (ISO-0337) and drops it, and an F that is not positive.
   std::optional<CycleRun> take(Block& b) const {
+    std::optional<CycleRun> result;  // the one that is returned: it would be copied otherwise
     std::uint32_t found = 0;
     const std::int32_t row = b.take_code(call_.codes(), call_.code_count(), &found);
-    if (row < 0) return std::nullopt;
+    if (row < 0) return result;
     const auto code = static_cast<std::size_t>(row);
-    std::optional<CycleRun> result(std::in_place);
-    CycleRun& run = *result;
+    CycleRun& run = result.emplace();
     CycleWords& words = run.words;
     words.mask = b.take_many(call_.row(code), CycleWords::address_count, words.values.data());
     run.code = call_.name(code);

@@ -92,7 +92,11 @@ class FeedInForce {
     const Symbol term = mode(b);
     if (term == g95_) return *f * b.get_or(spindle_speed_, 0.0) / 60;
     if (term == g93_) return *f * length() / 60;
-    return *f / 60;
+    if (*f != per_minute_before_) {
+      per_minute_before_ = *f;
+      per_second_before_ = *f / 60;
+    }
+    return per_second_before_;
   }
 
  private:
@@ -100,6 +104,7 @@ class FeedInForce {
   Field<Symbol> term_;
   Field<Symbol> unit_;
   Field<Symbol> ended_unit_;
+  mutable double per_minute_before_ = 0, per_second_before_ = 0;  // most blocks have the feed of the block before
   In<double> spindle_speed_{"SpindleSpeed.SpindleSpeed_rpm"};
   Name g93_{"G93"}, g94_{"G94"}, g95_{"G95"};
   Name per_minute_{"1/min"}, mm_per_minute_{"mm/min"}, mm_per_revolution_{"mm/rev"};

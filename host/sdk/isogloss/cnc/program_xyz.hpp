@@ -26,14 +26,7 @@ inline double length(const Vec3& way) { return std::sqrt(way.x * way.x + way.y *
 class LastProgramXyz {
  public:
   /// The first way where the frame changed in this block, else the second.
-  Vec3 operator()(Block& b) const {
-    if (b.frame_changed()) {
-      const PartialVec3 start = b.get(start_);
-      if (start.complete()) return start.value;
-      if (const auto program = of_resting_machine(b)) return *program;
-    }
-    return as_carried(b);
-  }
+  Vec3 operator()(Block& b) const { return b.frame_changed() ? in_changed_frame(b) : as_carried(b); }
 
   /// The machine position, seen in the frame of this block; nothing where the position is not known or the frame has no
   /// inverse.
@@ -47,6 +40,13 @@ class LastProgramXyz {
   Vec3 as_carried(const Block& b) const { return b.get(program_).or_else({}); }
 
  private:
+  [[gnu::noinline]] Vec3 in_changed_frame(Block& b) const {
+    const PartialVec3 start = b.get(start_);
+    if (start.complete()) return start.value;
+    const auto program = of_resting_machine(b);
+    return program ? *program : as_carried(b);
+  }
+
   Xyz program_{"ProgramXyz", previous};
   Xyz machine_{"MachineCoordinate", previous};
   Xyz start_{"PivotTransform.Start",

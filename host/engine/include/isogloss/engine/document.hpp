@@ -81,8 +81,10 @@ struct RecordShape {
   std::array<ig_field, most_fields> fields{};
 
   bool is(const ig_field* wanted, std::uint32_t wanted_count) const {
-    return count == wanted_count && wanted_count <= most_fields &&
-           std::memcmp(fields.data(), wanted, count * sizeof *wanted) == 0;
+    if (count != wanted_count || count > most_fields) return false;
+    ig_field differences = 0;  // few fields: a call of memcmp() would take longer
+    for (std::uint32_t i = 0; i < wanted_count; ++i) differences |= fields[i] ^ wanted[i];
+    return differences == 0;
   }
 };
 
@@ -117,7 +119,9 @@ struct BlockSource {
   bool is_joined = false;    ///< of several lines, whose ends are in the text
 };
 
-class Document {
+/// Where a block lies decides whether its bits are read and written in one line of the cache or across two: the
+/// alignments are there for that.
+class alignas(64) Document {
   ig_view view_{};  // first: a syntax looks for it where its block begins
 
  public:
@@ -225,7 +229,12 @@ class Document {
   std::uint32_t get_point(ig_field x, double* out) const {
     const std::uint32_t known = static_cast<std::uint32_t>(fields_.bits[x >> 6].present >> (x & 63)) & 7u;
     const State* const state = fields_.states.data() + x;
-    for (int i = 0; i < 3; ++i) out[i] = state[i].value.number;
+    const double first = state[0].value.number, second = state[1].value.number, third = state[2].value.number;
+    // Written together: the caller copies the point at once, in larger pieces, and would wait for stores of single
+    // ones.
+    out[0] = first;
+    out[1] = second;
+    out[2] = third;
     if (known != 7u) [[unlikely]]
       for (int i = 0; i < 3; ++i)
         if ((known >> i & 1u) == 0) out[i] = 0;
@@ -331,10 +340,10 @@ class Document {
   std::vector<ListData> lists;
   std::vector<Leftover> leftovers;
   BlockSource source;
-  std::uint64_t active[most_wake_words] = {};  ///< syntaxes to call in this block, each with its wake_bit()
-  std::uint16_t current = 0;                   ///< chain position + 1 of the syntax that runs; 0: the host
-  std::uint64_t changes = 0;                   ///< of watched fields, since the chain looked
-  std::uint32_t codes_seen = 0;                ///< codes that this block got so far, taken ones included
+  alignas(16) std::uint64_t active[most_wake_words] = {};  ///< syntaxes to call in this block, each with its wake_bit()
+  std::uint16_t current = 0;                               ///< chain position + 1 of the syntax that runs; 0: the host
+  std::uint64_t changes = 0;                               ///< of watched fields, since the chain looked
+  std::uint32_t codes_seen = 0;                            ///< codes that this block got so far, taken ones included
   Chain* chain = nullptr;
   /// Which block gave a field its value. Files are numbered by Chain::file_name; lines count from 1; 0: before the
   /// first block.
@@ -349,7 +358,7 @@ class Document {
   std::uint32_t size() const { return size_; }
   std::uint32_t words() const { return words_; }
   /// One bit for each of 64 fields, for tests of many at once.
-  struct Bits {
+  struct alignas(64) Bits {
     std::uint64_t present = 0, fresh = 0, taken = 0, pointless = 0;  // of this block
     std::uint64_t modal = 0, words = 0, codes = 0, watched = 0;      // what the fields are; words: codes, too
     void write(std::uint64_t fields) {
