@@ -64,6 +64,16 @@ L{n}: X2
 G2 X3 Y4 CR=5
 X X1X2
 """
+# From here on words have another meaning than their text, which only a run knows that has come here.
+SIEMENS_END = """\
+DEFINE SIDE AS X5 Y6
+""" + "SIDE\nX1 Y2\nF100\n" * 100 + """\
+CTABDEF(X,Y,1,0)
+""" + "X5 Y5\nX6 Y6\n" * 100 + """\
+CTABEND
+X7
+M30
+"""
 KLARTEXT = """\
 {n} L X+{n}.5 Y+2 FMAX M8
 L X+1.2345 Y-2.5 R0 F500 ; a comment
@@ -72,6 +82,21 @@ L X+Q1
 CC X+1 Y+1
 C X+2 Y+3 DR+
 L X
+RND R1
+L IX+1 IY-1 M3 M91
+L X+Q1 FQ1
+LBL {n}
+CYCL DEF 7.0 DATUM
+CYCL DEF 7.1 X+1
+CYCL DEF 200 DRILLING
+Q200=2
+Q201=-5
+Q206=100
+L X+3 M99
+PLANE SPATIAL SPA+0 SPB+0 SPC+0 STAY
+FN 0: Q2 = +{n}
+/L X+5
+L Z+Q2
 """
 
 
@@ -80,7 +105,9 @@ def program(dialect, units):
     head, end = "", "M30\n"
     if dialect == "heidenhain":
         head, end = "0 BEGIN PGM A MM\nTOOL CALL 1 Z S1000\n", "99 END PGM A MM\n"
-    elif dialect != "siemens":
+    elif dialect == "siemens":
+        end = SIEMENS_END
+    else:
         head, end = "%\nO1\nG21 G17 G90 G94\nT1 M6\nS1000 M3\n#1=0\n", "M30\nO2\nG91 X1\nG90\nM99\n%\n"
     # The last lines run again, from the beginning of the text: the thread has to find the place again.
     return head + "".join(unit.replace("{n}", str(n)) for n in range(1, units + 1)) + end
