@@ -210,6 +210,16 @@ bool MotionReader::is_plain(const Values& values, const Fields& fields) const {
 }
 
 template <class Values>
+void MotionReader::read_speed(const Values& values, const Fields& fields, bool is_arc) {
+  const auto is_true = [&](ig_field f) { return values.present(f) && values.value(f).integer != 0; };
+  Move& m = move_;
+  m.kind = is_arc ? Move::Kind::arc : is_true(fields.is_rapid) ? Move::Kind::rapid : Move::Kind::feed;
+  m.is_manual = is_true(fields.is_manual);
+  m.has_feed = m.kind != Move::Kind::rapid && values.present(fields.feed);
+  m.feed_mmds = m.has_feed ? values.number(fields.feed) : 0;
+}
+
+template <class Values>
 const Move* MotionReader::make_plain_move(const Values& values, const Fields& fields) {
   const ig_field machine = fields.machine.ids[0], program = fields.program.ids[0];
   const Xyz to{values.number(machine), values.number(machine + 1), values.number(machine + 2)};
@@ -228,12 +238,8 @@ const Move* MotionReader::make_plain_move(const Values& values, const Fields& fi
   m.from.known = m.machine.known = m.program.known = AxisPoint::xyz;
   program_position_.known |= AxisPoint::xyz;
   is_in_frame_ = true;
-  const bool is_rapid = values.present(fields.is_rapid) && values.value(fields.is_rapid).integer != 0;
-  m.kind = is_rapid ? Move::Kind::rapid : Move::Kind::feed;
-  m.is_manual = values.present(fields.is_manual) && values.value(fields.is_manual).integer != 0;
   m.is_led = false;
-  m.has_feed = !is_rapid && values.present(fields.feed);
-  m.feed_mmds = m.has_feed ? values.number(fields.feed) : 0;
+  read_speed(values, fields, false);
   return &m;
 }
 
@@ -244,7 +250,6 @@ const Move* MotionReader::make_move(const Values& values, const Fields& fields, 
   if (linear_.is(form, symbols) && is_plain(values, fields)) return make_plain_move(values, fields);
   const bool is_led = !linear_.is(form, symbols) && led_.is(form, symbols);
   const bool is_arc = !is_led && !linear_.is(form, symbols) && arc_.is(form, symbols);
-  const bool is_rapid = values.present(fields.is_rapid) && values.value(fields.is_rapid).integer != 0;
   Move& m = move_;
   read_point(values, fields.program, m.program);
   read_point(values, fields.machine, m.machine);
@@ -257,11 +262,8 @@ const Move* MotionReader::make_move(const Values& values, const Fields& fields, 
   }
   if (!is_arc && !keep_zero_moves_ && goes_nowhere()) return nullptr;
 
-  m.kind = is_arc ? Move::Kind::arc : is_rapid ? Move::Kind::rapid : Move::Kind::feed;
-  m.is_manual = values.present(fields.is_manual) && values.value(fields.is_manual).integer != 0;
   m.is_led = is_led;
-  m.has_feed = m.kind != Move::Kind::rapid && values.present(fields.feed);
-  m.feed_mmds = m.has_feed ? values.number(fields.feed) : 0;
+  read_speed(values, fields, is_arc);
   m.from = position_;
   if (is_led) {
     read_point(Root{d}, led_start_, m.start);

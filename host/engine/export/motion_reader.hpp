@@ -137,6 +137,9 @@ class MotionReader {
   /// A machine that has nothing but X, Y and Z goes straight to a point of which all three are known.
   template <class Values>
   bool is_plain(const Values& values, const Fields& fields) const;
+  /// The kind of the move, and how fast it is.
+  template <class Values>
+  void read_speed(const Values& values, const Fields& fields, bool is_arc);
   template <class Values>
   const Move* make_plain_move(const Values& values, const Fields& fields);
   template <class Values>

@@ -35,6 +35,7 @@ struct KlartextFrameCycle {
   DatumSelection tables_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+    // C and CC begin many blocks of contours; CYCL DEF alone is meant.
     const bool is_circle = to_upper(text[position]) == 'C' && to_upper(at(text, position + 1)) != 'Y';
     if (is_circle || !stands_first(text, position) || !b.is_in_turn()) return position;
     if (const std::size_t end = trans(b, text, position); end != position) return end;
