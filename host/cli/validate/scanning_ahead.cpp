@@ -45,7 +45,7 @@ std::vector<Ahead> read_ahead(const Stand& stand, std::vector<TestBlock> blocks)
     ++bench.chain().builds;  // work of its own to the watch over calls that do not return
     bench.scan();
     ahead.leftovers = bench.chain().document().leftovers;
-    if (ahead.notes.line.is_left == 0 && ahead.notes.line.count > 0) out.push_back(std::move(ahead));
+    if (!ahead.notes.line.is_left && ahead.notes.line.count > 0) out.push_back(std::move(ahead));
   }
   std::reverse(out.begin(), out.end());
   bench.chain().notes = &before;

@@ -105,15 +105,22 @@ std::size_t Chain::scan() {
   return split_at != 0 ? std::min(split_at, size) : size;
 }
 
+/// Has this block the values that were read while its text was scanned ahead?
+bool Chain::has_read_values(const ScannedLine& line) const {
+  const Document& d = document_;
+  for (const ig_word& w : std::span(line.notes(), line.count)) {
+    if ((w.flags & LineNotes::was_read) == 0) continue;
+    const bool was_there = (w.flags & LineNotes::was_absent) == 0;
+    if (d.present(w.field) != was_there || (was_there && d.value(w.field).integer != w.value.integer)) return false;
+  }
+  return true;
+}
+
 bool Chain::take_scanned(const ScannedLine& line) {
+  if (line.has_read && !has_read_values(line)) return false;
   Document& d = document_;
   const ig_word* const begin = line.notes();
   const ig_word* const end = begin + line.count;
-  for (const ig_word* w = begin; w != end; ++w) {
-    if ((w->flags & LineNotes::was_read) == 0) continue;
-    const bool was_there = (w->flags & LineNotes::was_absent) == 0;
-    if (d.present(w->field) != was_there || (was_there && d.value(w->field).integer != w->value.integer)) return false;
-  }
   for (const ig_word* w = begin; w != end;) {
     const ig_word* const first = w++;
     d.current = static_cast<std::uint16_t>(first->reserved);

@@ -133,8 +133,14 @@ class Run final : StandingRun {
   /// Returns the end of the block in the text, which is the line's from some byte on.
   [[gnu::always_inline]] inline std::size_t scan(const Line& line, std::string_view text) {
     if (ahead_ != nullptr && text.size() == line.text.size() && flow_.cursor().source() == scanned_ahead_) {
-      const ScannedLine* const found = ahead_->find(line);
-      if (found != nullptr && chain_.take_scanned(*found)) return text.size();
+      if (const ScannedLine* const found = ahead_->find(line)) {
+        if (chain_.take_scanned(*found)) {
+          refused_ = 0;
+          return text.size();
+        }
+        if (++refused_ == most_refused) [[unlikely]]
+          ahead_.reset();
+      }
     }
     return chain_.scan();
   }
@@ -149,8 +155,7 @@ class Run final : StandingRun {
     std::unique_ptr<Source> again = source->again();
     if (again == nullptr) return;
     try {
-      ahead_ =
-          std::make_unique<ScanAhead>(linked_, options_, std::move(again), flow_.file_name(), flow_.cursor().offset());
+      ahead_ = std::make_unique<ScanAhead>(linked_, options_, std::move(again), flow_.file_name());
       scanned_ahead_ = source;
     } catch (const std::exception&) {  // no thread: the run scans by itself
     }
@@ -403,6 +408,8 @@ class Run final : StandingRun {
   std::uint64_t scan_ahead_from_ = options_.scans_ahead_after == 0 ? never : options_.scans_ahead_after;
   const Source* scanned_ahead_ = nullptr;
   std::unique_ptr<ScanAhead> ahead_;
+  static constexpr std::uint32_t most_refused = 16 * 1024;  // in a row: the values that its scanners read have changed for good
+  std::uint32_t refused_ = 0;
 };
 
 }  // namespace

@@ -31,12 +31,6 @@ void block_signals() {
 
 }  // namespace
 
-void ScanAhead::Batch::add(const LineNotes& notes) {
-  const std::size_t length = sizeof(ScannedLine) + notes.line.count * sizeof(ig_word);
-  std::memcpy(bytes + size, &notes, length);
-  size += static_cast<std::uint32_t>(length);
-}
-
 void ScanAhead::Batch::copy_from(const Batch& other) {
   epoch = other.epoch;
   size = other.size;
@@ -44,15 +38,13 @@ void ScanAhead::Batch::copy_from(const Batch& other) {
 }
 
 ScanAhead::ScanAhead(const LinkedDialect& linked, const RunOptions& options, std::unique_ptr<Source> source,
-                     std::string file, std::uint64_t offset)
+                     std::string file)
     : linked_(linked),
       settings_(settings_of(options)),
       source_(std::move(source)),
       file_(std::move(file)),
       cursor_(*source_, options.maximum_line_bytes, linked.dialect.segmenter),
       shared_(std::make_unique<Batch[]>(batches)) {
-  read_on_from(offset);
-  patience_ = least_patience;
   thread_ = std::thread([this] {
     work();
     const std::lock_guard lock(mutex_);
@@ -83,6 +75,11 @@ ScanAhead::~ScanAhead() {
 // ---- the run
 
 const ScannedLine* ScanAhead::find(const Line& line) {
+  if (epoch_ == 0) [[unlikely]] {
+    if (is_built_) read_on_from(line.offset);
+    patience_ = least_patience;
+    return nullptr;
+  }
   while (at_ < taken_.size || take_batch()) {
     const auto& found = *reinterpret_cast<const ScannedLine*>(taken_.bytes + at_);
     if (found.offset > line.offset) break;
@@ -90,7 +87,7 @@ const ScannedLine* ScanAhead::find(const Line& line) {
     if (found.offset < line.offset) continue;
     ++hits_;
     misses_ = 0;
-    return found.is_left != 0 || found.size != line.text.size() ? nullptr : &found;
+    return found.is_left || found.size != line.text.size() ? nullptr : &found;
   }
   const bool is_on_the_way = line.offset < from_ && line.offset + head_start >= from_;
   if (!is_on_the_way && ++misses_ == patience_) read_on_from(line.offset);
@@ -134,8 +131,10 @@ void ScanAhead::work() try {
   block_signals();
   chain_ = std::make_unique<Chain>(linked_, std::move(settings_), ignored_);
   chain_->flow = this;
-  chain_->notes = &notes_;
+  chain_->notes = &filling_.next();
   chain_->start(file_);
+  is_built_ = true;
+  if (std::unique_lock lock(mutex_); true) changed_.wait(lock, [this] { return stops_ || asked_ != 0; });
   for (Line line; !is_useless();) {
     if (filling_.epoch != asked_) seek();
     const bool has_line = cursor_.next(line);
@@ -176,21 +175,23 @@ bool ScanAhead::hand_over() {
 }
 
 void ScanAhead::scan(const Line& line) {
-  notes_.line = {line.offset, static_cast<std::uint32_t>(line.text.size()), 0, 0};
+  LineNotes& notes = filling_.next();
+  notes.line = {line.offset, static_cast<std::uint32_t>(line.text.size())};
+  chain_->notes = &notes;
   if (line.lines > 1 || line.truncated) {
-    notes_.leave();
+    notes.leave();
   } else {
     chain_->begin_block({file_, line.number, 0, line.text, false});
     const bool is_whole = chain_->scan() == line.text.size() && !chain_->skip_rest && !chain_->ends_file;
-    if (!is_whole || !ignored_.all.empty() || !chain_->document().leftovers.empty()) notes_.leave();
+    if (!is_whole || !ignored_.all.empty() || !chain_->document().leftovers.empty()) notes.leave();
     ignored_.all.clear();
   }
-  if (notes_.line.is_left != 0) {
-    notes_.line.count = 0;
+  if (notes.line.is_left) {
+    notes.line.count = 0;
     ++left_;
   }
   ++scanned_;
-  filling_.add(notes_);
+  filling_.keep(notes);
 }
 
 }  // namespace isogloss

@@ -17,8 +17,7 @@ namespace isogloss {
 class ScanAhead : FlowHost {
  public:
   /// Throws where no thread can be started.
-  ScanAhead(const LinkedDialect& linked, const RunOptions& options, std::unique_ptr<Source> source, std::string file,
-            std::uint64_t offset);
+  ScanAhead(const LinkedDialect& linked, const RunOptions& options, std::unique_ptr<Source> source, std::string file);
   ~ScanAhead() override;
 
   /// What was found in this line; null: scan it. Alive until the next call.
@@ -30,10 +29,14 @@ class ScanAhead : FlowHost {
     static constexpr std::size_t most_bytes = 32 * 1024;
     std::uint32_t epoch = 0;  ///< counts the places from which the thread was to read on
     std::uint32_t size = 0;
-    alignas(ScannedLine) std::byte bytes[most_bytes];
+    alignas(LineNotes) std::byte bytes[most_bytes];
 
     bool has_room() const { return most_bytes - size >= sizeof(LineNotes); }
-    void add(const LineNotes& notes);
+    /// Where the notes of the next line are written, while there is room.
+    LineNotes& next() { return *::new (bytes + size) LineNotes; }
+    void keep(const LineNotes& next) {
+      size += static_cast<std::uint32_t>(sizeof(ScannedLine) + next.line.count * sizeof(ig_word));
+    }
     void copy_from(const Batch& other);
   };
   static constexpr std::uint32_t batches = 8;
@@ -65,7 +68,6 @@ class ScanAhead : FlowHost {
   std::uint64_t from_ = 0, hits_ = 0;
   // The thread's.
   alignas(cache_line) DiagnosticList ignored_;
-  LineNotes notes_;
   const LinkedDialect& linked_;
   ChainSettings settings_;
   std::unique_ptr<Chain> chain_;
@@ -82,6 +84,7 @@ class ScanAhead : FlowHost {
   std::uint32_t done_ = 0;                // of these the run has so many
   std::atomic<std::uint32_t> asked_ = 0;  // the epoch that begins at ...
   std::uint64_t asked_offset_ = 0;
+  std::atomic<bool> is_built_ = false;  // the thread's chain: it can be asked
   bool stops_ = false, has_ended_ = false;
   std::thread thread_;
 };

@@ -178,12 +178,12 @@ TEST_CASE("lines are found again after jumps, back and forth") {
   Fixture f;
   std::string text;
   for (int i = 0; i < 60'000; ++i) text += "X" + std::to_string(i % 10) + "\n";
-  ScanAhead ahead(*f.linked, {}, memory_source(text), "t", 0);
+  ScanAhead ahead(*f.linked, {}, memory_source(text), "t");
   for (const std::size_t first : {1u, 40'000u, 100u, 20'000u}) {
     const auto found = find_from(ahead, text, first);
     REQUIRE(found);
     CHECK(found->count == 1);
-    CHECK(found->is_left == 0);
+    CHECK_FALSE(found->is_left);
   }
 }
 

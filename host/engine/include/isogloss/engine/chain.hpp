@@ -231,6 +231,7 @@ class Chain {
   void call_steps(Document& document, std::uint32_t begin, const Reach& reach);
   Reach reach(std::uint32_t first, std::uint32_t last) const;
   void leave_byte(Document& document, std::size_t position);
+  bool has_read_values(const ScannedLine& line) const;
   void tell_failure(const Document& document, std::uint32_t position);
   void tell_exception(const Document& document, const char* phase);
   template <bool is_heard>

@@ -14,7 +14,8 @@ struct ScannedLine {
   std::uint64_t offset = 0;   ///< in the source
   std::uint32_t size = 0;     ///< bytes of its text
   std::uint16_t count = 0;    ///< notes
-  std::uint16_t is_left = 0;  ///< to its turn: more than its text decides what is found
+  bool is_left = false;       ///< to its turn: more than its text decides what is found
+  bool has_read = false;      ///< a value that is carried from the blocks before
   const ig_word* notes() const { return reinterpret_cast<const ig_word*>(this + 1); }
 };
 
@@ -28,10 +29,18 @@ struct LineNotes {
   ScannedLine line;
   std::array<ig_word, most> words;
 
-  void leave() { line.is_left = 1; }
-  void add(const ig_word& word) {
+  void leave() { line.is_left = true; }
+  /// Member by member: a word that is put together elsewhere is copied in larger pieces, and waits for its smaller ones.
+  void add(ig_field field, ig_value value, std::uint32_t flags, std::uint16_t scanner, std::uint16_t begin = 0,
+           std::uint16_t end = 0) {
     if (line.count == most) return leave();
-    words[line.count++] = word;
+    ig_word& word = words[line.count++];
+    word.field = field;
+    word.begin = begin;
+    word.end = end;
+    word.value = value;
+    word.flags = flags;
+    word.reserved = scanner;
   }
 };
 static_assert(offsetof(LineNotes, words) == sizeof(ScannedLine));
