@@ -81,11 +81,14 @@ struct TestDocument {
   void shift(double x, double y, double z) { frame("Offset", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1}); }
 
   /// A step of a compound motion: value by value.
-  void item() { d.lists[0].add(0); }
+  void item() {
+    if (!d.lists[0].has_room()) d.lists[0].make_room();
+    d.lists[0].add(0);
+  }
   void item_value(const std::string& path, ig_value v) {
     const std::size_t i = index_in_record(layout.record("CompoundMotion.Items", path));
     d.lists[0].record(d.lists[0].count - 1)[i] = v;
-    d.lists[0].present.back() |= std::uint64_t{1} << i;
+    d.lists[0].masks().back() |= std::uint64_t{1} << i;
   }
   void item_number(const std::string& path, double v) { item_value(path, {.number = v}); }
   void item_name(const std::string& path, std::string_view v) { item_value(path, {.symbol = symbols.intern(v)}); }

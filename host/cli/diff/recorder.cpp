@@ -89,7 +89,7 @@ void Recorder::trace(std::uint32_t position, bool before) {
     if (document->lists[i].count == o.counts[i]) continue;
     o.counts[i] = document->lists[i].count;
     o.makers[i] = static_cast<std::uint16_t>(position + 1);
-    for (const std::uint64_t mask : document->lists[i].present) o.made[i] |= mask;
+    for (const std::uint64_t mask : document->lists[i].masks()) o.made[i] |= mask;
   }
 }
 

@@ -49,28 +49,21 @@ ListData* list_of_all(Document& d, const ig_field* fields, std::uint32_t count) 
   return &list;
 }
 
-[[gnu::noinline]] bool find_shape(Document& d, const ig_field* fields, std::uint32_t count, RecordShape& out) {
+/// Fields beyond RecordShape::most_fields are counted, but not kept.
+bool find_shape(Document& d, const ig_field* fields, std::uint32_t count, RecordShape& out) {
   if (list_of_all(d, fields, count) == nullptr) return false;
-  out.count = RecordShape::none;
-  out.list = static_cast<std::uint32_t>(list_of(fields[0]));
-  out.mask = 0;
-  for (std::uint32_t i = 0; i < count; ++i) out.mask |= std::uint64_t{1} << index_in_record(fields[i]);
-  if (count > RecordShape::most_fields) return true;
-  std::copy_n(fields, count, out.fields.begin());
   out.count = count;
+  out.list = static_cast<std::uint32_t>(list_of(fields[0]));
+  for (std::uint32_t i = 0; i < count; ++i) out.mask |= std::uint64_t{1} << index_in_record(fields[i]);
+  std::copy_n(fields, std::min(count, RecordShape::most_fields), out.fields.begin());
   return true;
-}
-
-/// Null where the fields are not of one list. Mostly they are those of an earlier call.
-inline const RecordShape* shape_of(Document& d, const ig_field* fields, std::uint32_t count) {
-  RecordShape& shape = d.record_shapes.at(fields);
-  return shape.is(fields, count) || find_shape(d, fields, count, shape) ? &shape : nullptr;
 }
 
 [[gnu::cold, gnu::noinline]] void tell_full(Document& d, ListData& list) {
   if (list.count > maximum_items) return;
   const Diagnostic text = host_diagnostic("IG-0405", {}, {std::to_string(maximum_items)});
   d.chain->report(d, text.severity, text.code, text.message, 0, 0);
+  if (!list.has_room()) list.make_room();
   list.add(0);  // says it once: an empty record past the limit
 }
 
@@ -98,23 +91,54 @@ std::int32_t leftover(const ig_block* block, std::uint32_t index, ig_leftover* o
   return 1;
 }
 
+namespace {
+
+/// The shape of the record is known, and its list has room. Calls nothing, and so needs no frame on the stack.
+[[gnu::always_inline]] inline void append_known(Document& d, const RecordShape& shape, const ig_field* fields,
+                                                const ig_value* v) {
+  ListData& list = d.lists[shape.list];
+  ig_value* const record = list.add(shape.mask);
+  for (std::uint32_t i = 0; i < shape.count; ++i) record[index_in_record(fields[i])] = v[i];
+  if (d.chain != nullptr) ++d.chain->records;
+  d.wake_by_list(shape.list);
+}
+
+/// A shape that is new here, or a list without room.
 template <Mode M>
-std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
+[[gnu::noinline]] std::int32_t append_other(ig_block* block, const ig_field* fields, std::uint32_t count,
+                                            const ig_value* v) {
   Document& d = doc(block);
   if constexpr (M == Mode::checked)
     if (!may_use<M>(d, list_of_all(d, fields, count), fields, count, v)) return 0;
-  const RecordShape* const shape = shape_of(d, fields, count);
-  if (shape == nullptr) return 0;
-  ListData& list = d.lists[shape->list];
-  if (list.count >= maximum_items) [[unlikely]] {
+  RecordShape shape;
+  if (!find_shape(d, fields, count, shape)) return 0;
+  ListData& list = d.lists[shape.list];
+  if (list.count >= maximum_items) {
     tell_full(d, list);
     return 0;
   }
-  ig_value* const record = list.add(shape->mask);
-  for (std::uint32_t i = 0; i < count; ++i) record[index_in_record(fields[i])] = v[i];
-  if (d.chain != nullptr) ++d.chain->records;
-  d.wake_by_list(shape->list);
+  if (!list.has_room()) list.make_room();
+  if (count <= RecordShape::most_fields) d.record_shapes.at(fields) = shape;
+  append_known(d, shape, fields, v);
   return 1;
+}
+
+}  // namespace
+
+template <Mode M>
+std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
+  Document& d = doc(block);
+  if constexpr (M != Mode::checked) {
+    const RecordShape& shape = d.record_shapes.at(fields);
+    if (shape.is(fields, count)) [[likely]] {
+      const ListData& list = d.lists[shape.list];
+      if (list.has_room() && list.count < maximum_items) [[likely]] {
+        append_known(d, shape, fields, v);
+        return 1;
+      }
+    }
+  }
+  return append_other<M>(block, fields, count, v);
 }
 
 template <Mode M>
@@ -164,12 +188,16 @@ template <Mode M>
   const std::uint64_t given = std::uint64_t{1} << at[3] | std::uint64_t{1} << at[4] | std::uint64_t{1} << at[5];
   const Frame& frame = d.composed();
   ig_value* v = list->values.data();
-  for (std::uint64_t& present : list->present) {
+  for (std::uint64_t& present : list->masks()) {
     if ((present & (wanted | given)) == wanted) {
       const double from[3] = {v[at[0]].number, v[at[1]].number, v[at[2]].number};
-      double to[3];
-      frame.map(from, to);
-      for (int i = 0; i < 3; ++i) v[at[3 + i]].number = to[i];
+      if (frame.kind == Frame::Kind::general) {
+        double to[3];
+        frame.map(from, to);
+        for (int i = 0; i < 3; ++i) v[at[3 + i]].number = to[i];
+      } else {
+        for (int i = 0; i < 3; ++i) v[at[3 + i]].number = from[i] + frame.matrix[12 + i];
+      }
       present |= given;
     }
     v += list->stride;

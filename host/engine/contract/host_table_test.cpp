@@ -143,10 +143,10 @@ TEST_CASE("a record has the fields that its call names, whatever an earlier call
   fields = {record_field(0, 0), record_field(1, 1)};
   CHECK(host.append(block(d), fields.data(), 2, values.data()) == 0);
   REQUIRE(d.lists[0].count == 2);
-  CHECK(d.lists[0].present == std::vector<std::uint64_t>{7, 14});
+  CHECK(std::ranges::equal(d.lists[0].masks(), std::vector<std::uint64_t>{7, 14}));
   CHECK(d.lists[0].record(1)[3].number == 3);
   REQUIRE(d.lists[1].count == 3);
-  CHECK(d.lists[1].present == std::vector<std::uint64_t>{10, 0xfffff, 0xfffff});
+  CHECK(std::ranges::equal(d.lists[1].masks(), std::vector<std::uint64_t>{10, 0xfffff, 0xfffff}));
   CHECK(d.lists[1].record(2)[19].number == 19);
 }
 

@@ -227,7 +227,7 @@ bool Document::same_content(const Document& other) const {
   for (ig_field f = 0; f < size_; ++f)
     if (present(f) && value(f).integer != other.value(f).integer) return false;
   for (std::size_t i = 0; i < lists.size(); ++i)
-    if (lists[i].count != other.lists[i].count || lists[i].present != other.lists[i].present) return false;
+    if (!std::ranges::equal(lists[i].masks(), other.lists[i].masks())) return false;
   return leftovers.size() == other.leftovers.size() && arena_ == other.arena_;
 }
 
@@ -273,16 +273,18 @@ void Document::begin(const BlockSource& where) {
   State* const state = fields_.states.data();
   Bits* const all = fields_.bits.data();
   for (const PreviousRun& run : previous_) {
-    std::memcpy(state + run.to, state + run.from, run.count * sizeof(State));
+    // One by one, as they were written: a larger piece would have to wait until the last of them is in memory.
+    const State* const from = state + run.from;
+    State* const to = state + run.to;
+    for (std::uint32_t i = 0; i < run.count; ++i) to[i].value = from[i].value;
+    if (!origins.empty()) [[unlikely]]  // who wrote it is asked in traced mode only
+      for (std::uint32_t i = 0; i < run.count; ++i) to[i].place = from[i].place;
     const std::uint64_t known = all[run.from >> 6].present >> (run.from & 63) & run.mask;
     std::uint64_t& copies = all[run.to >> 6].present;
     copies = (copies & ~(run.mask << (run.to & 63))) | known << (run.to & 63);
   }
   const auto carry = [all](std::uint32_t first, std::uint32_t last) {
-    for (Bits* bits = all + first; bits != all + last; ++bits) {
-      bits->present &= bits->modal;
-      bits->fresh = bits->taken = bits->pointless = 0;
-    }
+    for (Bits* bits = all + first; bits != all + last; ++bits) bits->carry();
   };
   carry(0, far_begin_);
   if (has_far_words()) [[unlikely]]

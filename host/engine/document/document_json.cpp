@@ -199,6 +199,7 @@ class Loader {
     ListData list;
     list.stride = static_cast<std::uint32_t>(info.fields.size());
     for (const Json& record : json) {
+      if (!list.has_room()) list.make_room();
       list.add(0);
       const std::string path = info.path + '[' + std::to_string(list.count - 1) + ']';
       if (!record.is_object()) wrong(path, "an object", record);
@@ -217,7 +218,7 @@ class Loader {
       if (field != info.fields.end()) {
         const auto i = static_cast<std::size_t>(field - info.fields.begin());
         list.record(list.count - 1)[i] = read_value(value, field->type, path + '.' + name, symbols_);
-        list.present.back() |= std::uint64_t{1} << i;
+        list.masks().back() |= std::uint64_t{1} << i;
       } else if (!value.is_object() || !load_record(value, path, name, info, list)) {
         return false;
       }

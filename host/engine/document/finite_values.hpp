@@ -43,7 +43,7 @@ class FiniteValues {
       const std::vector<FieldInfo>& fields = layout.lists[l].fields;
       const bool has_coordinates = layout.lists[l].path == "CompoundMotion.Items";
       const auto overflows = [&](double v) { return has_coordinates ? !(std::fabs(v) < largest) : !std::isfinite(v); };
-      for (std::size_t r = 0; r < list.present.size(); ++r)
+      for (std::size_t r = 0; r < list.count; ++r)
         for (std::size_t i = 0; i < fields.size(); ++i)
           if (fields[i].type == IG_NUMBER && (list.present[r] >> i & 1) != 0 &&
               overflows(list.values[r * list.stride + i].number))

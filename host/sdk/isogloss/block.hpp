@@ -192,13 +192,13 @@ class Block {
   std::optional<std::size_t> take(const Codes& codes, std::uint32_t* found = nullptr) {
     std::uint32_t n = 0;
     const std::int32_t i = host_->take_code(block_, codes.ids(), codes.size(), found != nullptr ? found : &n);
-    return i < 0 ? std::nullopt : std::optional<std::size_t>(static_cast<std::size_t>(i));
+    return index(i);
   }
   /// Like take(), but takes nothing.
   std::optional<std::size_t> find(const Codes& codes) const {
     std::uint32_t n = 0;
     const std::int32_t i = host_->find_code(block_, codes.ids(), codes.size(), &n);
-    return i < 0 ? std::nullopt : std::optional<std::size_t>(static_cast<std::size_t>(i));
+    return index(i);
   }
 
   /// Takes the last call in the block with all its words; nothing where the block holds none of its codes.
@@ -217,7 +217,7 @@ class Block {
   std::optional<std::size_t> find(const Call& call) const {
     std::uint32_t n = 0;
     const std::int32_t row = host_->find_code(block_, call.codes(), call.code_count(), &n);
-    return row < 0 ? std::nullopt : std::optional<std::size_t>(static_cast<std::size_t>(row));
+    return index(row);
   }
   /// Puts a call into the block for the syntaxes after this one.
   void set_call(const Call& call, std::size_t row) { raise(call.code(row)); }
@@ -370,6 +370,10 @@ class Block {
   [[gnu::cold, gnu::noinline]] void report_undeclared(DiagnosticCode diagnostic) const {
     const std::string fault = "no file of the plugin declares the diagnostic " + std::string(diagnostic.code);
     host_->fault(block_, to_text(fault));
+  }
+  static std::optional<std::size_t> index(std::int32_t row) {
+    if (row < 0) return std::nullopt;
+    return static_cast<std::size_t>(row);
   }
   /// Null where this host does not show where the values are stored; then its functions are called.
   const ig_view* view() const { return shown_; }

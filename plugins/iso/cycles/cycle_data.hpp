@@ -11,9 +11,9 @@ namespace iso {
 /// A call with nothing missing; positions and levels in mm of program coordinates.
 struct ResolvedHole {
   ig::Symbol cycle;
-  PlaneAxes plane;
+  const PlaneAxes& plane;
   ig::Vec3 position;  ///< its component along the tool axis is not used
-  CycleLevels levels;
+  const CycleLevels& levels;
   double initial_level = 0;
   int count = 1;           ///< of holes
   ig::Vec3 step;           ///< from hole to hole

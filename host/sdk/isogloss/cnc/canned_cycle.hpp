@@ -68,8 +68,12 @@ struct CycleLevels {
 /// a distance from R; a new R alone moves the kept bottom along with it.
 constexpr CycleLevels resolve_levels(const CycleLevels& given, const CycleLevels& kept, double initial_level,
                                      bool is_incremental) {
-  if (!is_incremental) return {given.r ? given.r : kept.r, given.bottom ? given.bottom : kept.bottom};
   CycleLevels out = kept;
+  if (!is_incremental) {
+    if (given.r) out.r = *given.r;
+    if (given.bottom) out.bottom = *given.bottom;
+    return out;
+  }
   if (given.r) out.r = initial_level + *given.r;
   if (given.bottom) {
     if (out.r) out.bottom = *out.r + *given.bottom;
@@ -120,12 +124,16 @@ class CannedCycle {
   /// Takes the call of this block; nothing where the block holds none of the codes. Puts the F of the call in force and
   /// begins the compound motion. Reports a negative P (ISO-0337) and drops it, and an F that is not positive.
   std::optional<CycleRun> take(Block& b) const {
-    std::optional<CycleRun> result;  // the one that is returned: it would be copied otherwise
+    // The one that is returned: it would be copied otherwise. Without a value it would be set to 0 first, byte by byte.
+    std::optional<CycleRun> result(std::in_place);
     std::uint32_t found = 0;
     const std::int32_t row = b.take_code(call_.codes(), call_.code_count(), &found);
-    if (row < 0) return result;
+    if (row < 0) {
+      result.reset();
+      return result;
+    }
     const auto code = static_cast<std::size_t>(row);
-    CycleRun& run = result.emplace();
+    CycleRun& run = *result;
     CycleWords& words = run.words;
     words.mask = b.take_many(call_.row(code), CycleWords::address_count, words.values.data());
     run.code = call_.name(code);

@@ -48,28 +48,32 @@ struct Frame {
 struct ListData {
   std::uint32_t stride = 0;
   std::uint32_t count = 0;
-  std::vector<ig_value> values;  ///< room for `count` records and more
+  // There is room for `count` records and more.
+  std::vector<ig_value> values;
   std::vector<std::uint64_t> present;
 
   ig_value* record(std::size_t index) { return values.data() + index * stride; }
-  /// One more record, of which `mask` is present. Values that are not present are undefined.
-  [[gnu::always_inline]] ig_value* add(std::uint64_t mask) {
-    const std::size_t end = (std::size_t{count} + 1) * stride;
-    if (values.size() < end) [[unlikely]]
-      grow(end);
-    present.push_back(mask);
+  std::span<const std::uint64_t> masks() const { return {present.data(), count}; }
+  std::span<std::uint64_t> masks() { return {present.data(), count}; }
+  bool has_room() const { return count < present.size(); }
+  void make_room() {
+    const std::size_t room = present.size() + present.size() / 2 + 8;
+    present.resize(room);
+    values.resize(room * stride);
+  }
+  /// One more record, for which there is room and of which `mask` is present. Values that are not present are undefined.
+  ig_value* add(std::uint64_t mask) {
+    present[count] = mask;
     return record(count++);
   }
   /// The memory stays allocated, up to what a copy of the block may cost.
   void clear() {
-    constexpr std::size_t most_kept = 4096;
+    constexpr std::size_t most_kept = 128;
     count = 0;
-    present.clear();
-    if (values.size() > most_kept) values.resize(most_kept);
+    if (present.size() <= most_kept) return;
+    present.resize(most_kept);
+    values.resize(most_kept * stride);
   }
-
- private:
-  [[gnu::noinline]] void grow(std::size_t end) { values.resize(end + end / 2); }
 };
 
 /// The fields of one call, which have been found to lie in one list.
@@ -82,9 +86,19 @@ struct RecordShape {
 
   bool is(const ig_field* wanted, std::uint32_t wanted_count) const {
     if (count != wanted_count || count > most_fields) return false;
-    ig_field differences = 0;  // few fields: a call of memcmp() would take longer
-    for (std::uint32_t i = 0; i < wanted_count; ++i) differences |= fields[i] ^ wanted[i];
+    // Few fields, two at once: a call of memcmp() would take longer.
+    std::uint64_t differences = 0;
+    std::uint32_t i = 0;
+    for (; i + 2 <= wanted_count; i += 2) differences |= pair(fields.data() + i) ^ pair(wanted + i);
+    if (i < wanted_count) differences |= fields[i] ^ wanted[i];
     return differences == 0;
+  }
+
+ private:
+  static std::uint64_t pair(const ig_field* first) {
+    std::uint64_t out = 0;
+    std::memcpy(&out, first, sizeof out);
+    return out;
   }
 };
 
@@ -207,19 +221,33 @@ class alignas(64) Document {
     const State* const state = fields_.states.data();
     Bits* const all = fields_.bits.data();
     std::uint32_t taken = 0;
+    // Most of the fields have their bits in one word, which is written once.
+    Bits* bits = nullptr;
+    std::uint64_t present = 0, gone = 0;
+    const auto write = [&] {
+      if (gone == 0) return;
+      bits->present = present;
+      bits->taken |= gone;
+    };
     for (std::uint32_t i = 0; i < count; ++i) {
       const ig_field field = f[i];
       if (field >= size_) continue;
-      Bits& bits = all[field >> 6];
+      if (Bits* const here = all + (field >> 6); here != bits) {
+        write();
+        bits = here;
+        present = here->present;
+        gone = 0;
+      }
       const std::uint64_t mask = bit(field);
-      if ((bits.present & mask) == 0) continue;
+      if ((present & mask) == 0) continue;
       out[i] = state[field].value;
-      if ((bits.watched & mask) != 0) [[unlikely]]
+      if ((bits->watched & mask) != 0) [[unlikely]]
         tell_change(field);
-      bits.present &= ~(mask & ~bits.codes);
-      bits.taken |= mask;
+      present &= ~(mask & ~bits->codes);
+      gone |= mask;
       taken |= 1u << (i & 31);
     }
+    write();
     return taken;
   }
 
@@ -228,13 +256,11 @@ class alignas(64) Document {
   /// A bit for each that is present; 0 in its place where it is not.
   std::uint32_t get_point(ig_field x, double* out) const {
     const std::uint32_t known = static_cast<std::uint32_t>(fields_.bits[x >> 6].present >> (x & 63)) & 7u;
+    using Pair [[gnu::vector_size(16), gnu::may_alias, gnu::aligned(8)]] = double;
     const State* const state = fields_.states.data() + x;
-    const double first = state[0].value.number, second = state[1].value.number, third = state[2].value.number;
-    // Written together: the caller copies the point at once, in larger pieces, and would wait for stores of single
-    // ones.
-    out[0] = first;
-    out[1] = second;
-    out[2] = third;
+    // X and Y in one piece: the caller copies the point in such pieces, and would have to wait for smaller ones.
+    *reinterpret_cast<Pair*>(out) = Pair{state[0].value.number, state[1].value.number};
+    out[2] = state[2].value.number;
     if (known != 7u) [[unlikely]]
       for (int i = 0; i < 3; ++i)
         if ((known >> i & 1u) == 0) out[i] = 0;
@@ -366,6 +392,13 @@ class alignas(64) Document {
       fresh |= fields;
       taken &= ~fields;
     }
+    /// To the next block.
+    void carry() {
+      using Pair [[gnu::vector_size(16), gnu::may_alias]] = std::uint64_t;
+      Pair* const pairs = reinterpret_cast<Pair*>(this);
+      pairs[0] = Pair{present & modal, 0};
+      pairs[1] = Pair{};
+    }
   };
   const Bits& bits(std::uint32_t word) const { return fields_.bits[word]; }
 
@@ -417,28 +450,43 @@ class alignas(64) Document {
   template <bool tells>
   [[gnu::always_inline]] void set_each(const ig_field* f, std::uint32_t count, const ig_value* v, std::uint32_t first) {
     State* const state = fields_.states.data();
-    Bits* const bits = fields_.bits.data();
+    Bits* const all = fields_.bits.data();
     const std::uint64_t place = written();
     Woken woken(*this);
+    // Most of the fields have their bits in one word, which is written once.
+    Bits* bits = nullptr;
+    std::uint64_t set = 0;
+    std::uint32_t codes = 0;
+    const auto write = [&] {
+      if (set != 0) bits->write(set);
+    };
     for (std::uint32_t i = first; i < count; ++i) {
       const ig_field field = f[i];
       if (field >= size_) continue;
-      Bits& b = bits[field >> 6];
+      if (Bits* const here = all + (field >> 6); here != bits) {
+        write();
+        bits = here;
+        set = 0;
+      }
       const std::uint64_t mask = bit(field);
-      if ((b.watched & mask) != 0 && !has_value(field, v[i])) [[unlikely]] {
+      if ((bits->watched & mask) != 0 && !has_value(field, v[i])) [[unlikely]] {
         if constexpr (tells) {
           tell_change(field);
         } else {
+          write();
+          codes_seen += codes;
           active[0] |= woken.low;
           active[1] |= woken.high;
           return change_many(f, count, v, i);
         }
       }
       state[field] = {v[i], place};
-      b.write(mask);
-      codes_seen += static_cast<std::uint32_t>((b.codes & mask) != 0);
+      set |= mask;
+      codes += static_cast<std::uint32_t>((bits->codes & mask) != 0);
       woken.add(field);
     }
+    write();
+    codes_seen += codes;
     active[0] |= woken.low;
     active[1] |= woken.high;
     if (woken.is_far() || (tells && (active[1] & wakes_beyond) != 0)) [[unlikely]]
