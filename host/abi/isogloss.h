@@ -93,8 +93,8 @@ enum {
   IG_PREVIOUS = 1u << 4,   /* reads the value from before this block; the id differs from the field's own */
   IG_WAKE = 1u << 5,       /* build() is called when the field is set in this block */
   IG_WAKE_WHILE = 1u << 6, /* build() is called in each block that starts with the field (equal to wake_value) */
-  /* path is "@name" of an option of type IG_OPTION_FIELDS, or a pattern itself (since 1.6); the host expands it */
-  IG_PATTERN = 1u << 7
+  IG_PATTERN = 1u << 7,    /* path: "@name" of an IG_OPTION_FIELDS, or since 1.6 a pattern; the host expands it */
+  IG_ENDS_AHEAD = 1u << 8  /* a block that has the field is the last one that build() reads ahead; since 1.8 */
 };
 
 /* path: "Section.Field", "Parsing.X" (word), "Parsing.Flags.CODE" (code), "Parsing.CODE" and "Parsing.CODE.X" (a code

@@ -26,7 +26,7 @@ Json names(const char* const* list) {
 Json access_words(std::uint32_t access) {
   static constexpr std::pair<std::uint32_t, const char*> words[] = {
       {IG_REQUIRED, "required"}, {IG_READ, "read"}, {IG_WRITE, "write"},           {IG_TAKE, "take"},
-      {IG_PREVIOUS, "previous"}, {IG_WAKE, "wake"}, {IG_WAKE_WHILE, "wake-while"},
+      {IG_PREVIOUS, "previous"}, {IG_WAKE, "wake"}, {IG_WAKE_WHILE, "wake-while"}, {IG_ENDS_AHEAD, "ends-ahead"},
   };
   Json out = Json::array();
   for (const auto& [bit, word] : words)

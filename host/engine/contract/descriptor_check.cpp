@@ -126,7 +126,7 @@ void check_pattern(const ig_syntax& syntax, std::string_view path, const What& w
 template <class What>
 void check_access(const ig_field_decl& field, const What& what) {
   constexpr std::uint32_t uses = IG_READ | IG_WRITE | IG_TAKE | IG_PREVIOUS | IG_WAKE | IG_WAKE_WHILE;
-  constexpr std::uint32_t known = uses | IG_REQUIRED | IG_PATTERN;
+  constexpr std::uint32_t known = uses | IG_REQUIRED | IG_PATTERN | IG_ENDS_AHEAD;
   if ((field.access & ~known) != 0)
     fault("{} has the access bits 0x{:X}, which this host does not know", what(), field.access & ~known);
   if ((field.access & uses) == 0) fault("{} is neither read, written nor taken", what());
@@ -140,6 +140,13 @@ void check_wake_value(const ig_field_decl& field, const What& what) {
     fault("{} has an empty wake_value; null stands for any value", what());
   if (field.type != IG_SYMBOL) fault("{} has a wake_value, which only a field of names can have", what());
   if ((field.access & IG_WAKE_WHILE) == 0) fault("{} has a wake_value and not the access IG_WAKE_WHILE", what());
+}
+
+template <class What>
+void check_ends_ahead(const ig_syntax& syntax, std::string_view path, const What& what) {
+  if (syntax.look_ahead == 0) fault("{} has the access IG_ENDS_AHEAD, and the syntax looks no block ahead", what());
+  if (path.find("[]") != std::string_view::npos)
+    fault("{} has the access IG_ENDS_AHEAD, which a field of records cannot have", what());
 }
 
 void check_fields(const ig_syntax& syntax, std::string_view owner) {
@@ -165,6 +172,7 @@ void check_fields(const ig_syntax& syntax, std::string_view owner) {
     text(field.unit, of("the unit of", what), longest_name);
     text(field.doc, of("the doc of", what));
     if (field.wake_value != nullptr) check_wake_value(field, what);
+    if ((field.access & IG_ENDS_AHEAD) != 0) check_ends_ahead(syntax, path, what);
   }
 }
 

@@ -111,6 +111,14 @@ TEST_CASE("each fault of a descriptor is found and named") {
       {"access", [](Plugin& p) { syntax(p).fields[0].access = IG_READ | 1u << 20; }, "the access bits 0x100000"},
       {"access", [](Plugin& p) { syntax(p).fields[1].access = IG_TAKE | IG_REQUIRED; },
        "IG_REQUIRED goes with IG_READ"},
+      {"access", [](Plugin& p) { syntax(p).fields[0].access = IG_READ | IG_ENDS_AHEAD; },
+       "IG_ENDS_AHEAD, and the syntax looks no block ahead"},
+      {"access",
+       [](Plugin& p) {
+         syntax(p).out.look_ahead = 2;
+         syntax(p).fields[0] = field("Steps.Items[].Dwell.Time", IG_READ | IG_ENDS_AHEAD);
+       },
+       "IG_ENDS_AHEAD, which a field of records cannot have"},
       {"wake value", [](Plugin& p) { syntax(p).fields[0].wake_value = "Turbo"; },
        "which only a field of names can have"},
       {"wake value",

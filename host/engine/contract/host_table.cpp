@@ -96,6 +96,18 @@ void flow(ig_block* block, ig_flow what, std::size_t position) {
   }
 }
 
+/// The syntax at work promises not to read past a block with one of some fields.
+void refuse_past_end(const Document& d, std::uint32_t k) {
+  const std::vector<Document*>& window = d.chain->window;
+  for (const LookAhead& looking : d.chain->linked().look_ahead) {
+    if (looking.position + 1 != d.current) continue;
+    for (std::size_t i = 0; i + 1 < k && i < window.size(); ++i)
+      if (looking.ends_at(*window[i]))
+        return violation(d, "it asks for the block " + std::to_string(k) + " ahead, past the block " +
+                                std::to_string(i + 1) + " with a field that it declares as the last one");
+  }
+}
+
 template <Mode M>
 ig_block* ahead(ig_block* block, std::uint32_t k) {
   const Document& d = doc(block);
@@ -105,6 +117,7 @@ ig_block* ahead(ig_block* block, std::uint32_t k) {
       if (k == 0 || k > most)
         violation(d, "it asks for the block " + std::to_string(k) + " ahead, while it declares a look-ahead of " +
                          std::to_string(most));
+      refuse_past_end(d, k);
     }
   const std::vector<Document*>& window = doc(block).chain->window;
   return k >= 1 && k <= window.size() ? window[k - 1]->block() : nullptr;

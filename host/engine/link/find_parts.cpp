@@ -18,11 +18,8 @@ void find_syntax(Linking& linking, const ChainElement& element) {
   }
   s.options =
       read_options(linking, element.alias, element.where, {s.syntax->options, s.syntax->option_count}, element.options);
-  if (s.syntax->look_ahead > 0) {
-    linking.out.look_ahead = std::max(linking.out.look_ahead, s.syntax->look_ahead);
-    if (element.stage != Stage::post_logic && linking.mode == LinkMode::whole)
-      linking.report("IG-0221", element.where, {element.alias});
-  }
+  if (s.syntax->look_ahead > 0 && element.stage != Stage::post_logic && linking.mode == LinkMode::whole)
+    linking.report("IG-0221", element.where, {element.alias});
   if (s.syntax->inspects != 0 && element.stage != Stage::inspection && linking.mode == LinkMode::whole)
     linking.report("IG-0223", element.where, {element.alias});
   linking.out.chain.push_back(std::move(s));

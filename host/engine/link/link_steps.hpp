@@ -110,4 +110,6 @@ void set_initial_state(Linking& linking, const FieldDrafts& drafts);
 
 void make_wake_masks(LinkedDialect& linked);
 
+void find_look_ahead(LinkedDialect& linked);
+
 }  // namespace isogloss

@@ -70,6 +70,7 @@ std::unique_ptr<LinkedDialect> link(const Dialect& dialect, Library& library, Di
   set_initial_state(linking, drafts);
   check(linking);
   make_wake_masks(*out);
+  find_look_ahead(*out);
   return linking.has_failed ? nullptr : std::move(out);
 }
 

@@ -205,7 +205,8 @@ void Chain::call_watched(Document& d, std::uint32_t position) {
 bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_t first) {
   const Step& step = steps_[position];
   if (step.build_ahead == nullptr) return true;
-  if (first < std::min(position, linked_.post_logic_begin)) {
+  const bool is_too_early = first < std::min(position, linked_.post_logic_begin);
+  if (is_too_early || (window_grows && is_awake(d, position) && !sees_enough(position))) {
     waits_at = position;
     d.current = 0;
     return false;
@@ -219,11 +220,26 @@ bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_
   return true;
 }
 
+bool Chain::sees_enough(std::uint32_t position) const {
+  for (const LookAhead& looking : linked_.look_ahead) {
+    if (looking.position != position) continue;
+    const auto ends = [&looking](const Document* d) { return looking.ends_at(*d); };
+    return window.size() >= looking.blocks || std::any_of(window.begin(), window.end(), ends);
+  }
+  return true;
+}
+
 Chain::Reach Chain::reach(std::uint32_t first, std::uint32_t last) const {
   Reach out{};
   const std::uint32_t origin = linked_.first_build;
-  for (std::uint32_t i = std::max(first, origin); i < last; ++i) out.add(wake_bit(i - origin));
-  out.words[1] &= ~wakes_beyond;
+  if (last <= std::max(first, origin)) return out;
+  const std::size_t begin = wake_bit(std::max(first, origin) - origin), end = wake_bit(last - 1 - origin) + 1;
+  for (std::size_t k = begin / 64; k * 64 < end; ++k) {
+    const std::uint64_t from = ~std::uint64_t{0} << (k * 64 < begin ? begin % 64 : 0);
+    const std::uint64_t beyond = (k + 1) * 64 > end ? ~std::uint64_t{0} << (end % 64) : 0;
+    out.words[k] = from & ~beyond;
+  }
+  out.words[1] &= ~(wakes_beyond | holds_far_words);
   return out;
 }
 

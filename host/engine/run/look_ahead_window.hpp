@@ -46,11 +46,7 @@ class LookAheadWindow {
     std::vector<Diagnostic> said;  ///< while it was executed
   };
 
-  explicit LookAheadWindow(const LinkedDialect& linked) : linked_(linked) {
-    for (std::size_t i = linked.first_build; i < linked.chain.size(); ++i)
-      if (const std::size_t bit = wake_bit(i - linked.first_build); linked.chain[i].syntax->look_ahead != 0)
-        looking_[bit / 64] |= std::uint64_t{1} << (bit % 64);
-  }
+  LookAheadWindow(const LinkedDialect& linked, const Chain& chain) : linked_(linked), chain_(chain) {}
 
   bool is_empty() const { return waiting_ == 0; }
   std::size_t size() const { return waiting_; }
@@ -67,9 +63,12 @@ class LookAheadWindow {
     return e;
   }
 
-  /// Are all blocks present that the oldest block may need?
+  /// Are all blocks present that the oldest block may need, as far as it is known yet?
   bool is_complete() const {
-    return waiting_ > linked_.look_ahead || (waiting_ > 0 && !looks_ahead(oldest().document));
+    return std::none_of(linked_.look_ahead.begin(), linked_.look_ahead.end(), [this](const LookAhead& looking) {
+      const Entry& e = oldest();
+      return looking.position >= e.resume_at && chain_.is_awake(e.document, looking.position) && !has_enough(looking);
+    });
   }
   Entry& oldest() { return *entries_.front(); }
   const Entry& oldest() const { return *entries_.front(); }
@@ -85,16 +84,17 @@ class LookAheadWindow {
   void clear() { waiting_ = 0; }
 
  private:
-  bool looks_ahead(const Document& d) const {
-    for (std::size_t k = 0; k < linked_.wake_words; ++k)
-      if ((d.active[k] & looking_[k]) != 0) return true;
+  bool has_enough(const LookAhead& looking) const {
+    if (waiting_ > looking.blocks) return true;
+    for (std::size_t i = 1; i < waiting_; ++i)
+      if (looking.ends_at(entries_[i]->document)) return true;
     return false;
   }
 
   const LinkedDialect& linked_;
+  const Chain& chain_;
   std::vector<std::unique_ptr<Entry>> entries_;  // the first `waiting_` are in use, oldest first
   std::size_t waiting_ = 0;
-  std::uint64_t looking_[most_wake_words] = {};  // as Document::active: the syntaxes that look ahead
 };
 
 }  // namespace isogloss

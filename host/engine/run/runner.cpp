@@ -39,7 +39,7 @@ class Run final : StandingRun {
         stop_(linked.layout.id("ProgramStop.Term")),
         end_(linked.layout.id("Source.~End")),
         finite_(linked.layout),
-        window_(linked) {
+        window_(linked, chain_) {
     chain_.flow = &flow_;
   }
 
@@ -336,18 +336,29 @@ class Run final : StandingRun {
     window_.add(d, resume_at, sink_.take()).alarmed = chain_.alarmed;
     sink_.hold();
     const bool stops = d.fresh(stop_);
-    while (!window_.is_empty() && (stops || window_.is_complete())) finish_oldest();
+    while (!window_.is_empty() && (stops || window_.is_complete()))
+      if (!finish_oldest(!stops)) break;
   }
 
-  void finish_oldest() {
+  /// False where a syntax that the block now came to has to wait for more blocks, as long as the window grows.
+  bool finish_oldest(bool window_grows) {
     LookAheadWindow::Entry& oldest = window_.oldest();
     const std::vector<Diagnostic> later = sink_.take();
     sink_.pass_on();
-    for (const Diagnostic& d : oldest.said) sink_.add(d);
+    for (const Diagnostic& d : std::exchange(oldest.said, {})) sink_.add(d);
     window_.show(chain_.window);
     chain_.alarmed = oldest.alarmed;
     chain_.waits_at = 0;
+    chain_.window_grows = window_grows;
     chain_.run(oldest.document, oldest.resume_at, length_);
+    if (chain_.waits_at != 0) {
+      oldest.resume_at = std::exchange(chain_.waits_at, 0);
+      oldest.alarmed = chain_.alarmed;
+      chain_.window.clear();
+      sink_.hold();
+      for (const Diagnostic& d : later) sink_.add(d);
+      return false;
+    }
     const bool is_sound = is_finite(oldest.document, Inspection::done);
     if (is_sound) export_block(oldest.document);
     if (chain_.alarmed) answer_alarm(oldest.document);
@@ -355,14 +366,15 @@ class Run final : StandingRun {
     window_.drop_oldest();
     if (!is_sound || (chain_.alarmed && options_.stop_on_error)) {
       window_.clear();  // the control does not execute blocks that it has only read ahead
-      return;
+      return true;
     }
     if (!window_.is_empty()) sink_.hold();
     for (const Diagnostic& d : later) sink_.add(d);  // reported between two blocks, after the last one that waits
+    return true;
   }
 
   void flush_window() {
-    while (!window_.is_empty() && !result_.output_closed) finish_oldest();
+    while (!window_.is_empty() && !result_.output_closed) finish_oldest(false);
     sink_.pass_on();
   }
 
@@ -408,7 +420,7 @@ class Run final : StandingRun {
   std::uint64_t scan_ahead_from_ = options_.scans_ahead_after == 0 ? never : options_.scans_ahead_after;
   const Source* scanned_ahead_ = nullptr;
   std::unique_ptr<ScanAhead> ahead_;
-  static constexpr std::uint32_t most_refused = 16 * 1024;  // in a row: the values that its scanners read have changed for good
+  static constexpr std::uint32_t most_refused = 16 * 1024;  // in a row: what the scanners read stays another
   std::uint32_t refused_ = 0;
 };
 

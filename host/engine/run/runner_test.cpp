@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <ctime>
 
+#include "isogloss/engine/stepping.hpp"
 #include "run/cursor.hpp"
 #include "test_plugin.hpp"
 
@@ -132,7 +133,8 @@ using Strings = std::vector<std::string>;
 TEST_CASE("the window holds executed blocks, and is flushed at the end") {
   Fixture f;
   REQUIRE(f.linked != nullptr);
-  REQUIRE(f.linked->look_ahead == 2);
+  REQUIRE(f.linked->look_ahead.size() == 1);
+  REQUIRE(f.linked->look_ahead[0].blocks == 2);
   Collector out;
   const auto source = memory_source("X1\nX2\n\nX3\n(\nX4");
   run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
@@ -152,6 +154,113 @@ TEST_CASE("only blocks that a syntax wants to look ahead from wait, and those th
   const auto source = memory_source("(\n(\nX1\n(\nX2\n(\n(\n(\nX3\n(");
   run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
   CHECK(out.blocks == Strings{"(1:)", "(2:)", "3:1+2", "4:", "5:2+0", "6:", "7:", "(8:)", "9:3+0", "10:"});
+}
+
+/// Raises what wakes Sum, after a look at the next block that has an X.
+ig_status look_at_next(void* self, const ig_host* host, ig_block* block) {
+  const Ids& ids = *static_cast<Ids*>(self);
+  for (std::uint32_t k = 1; k <= 5; ++k) {
+    ig_block* const next = host->ahead(block, k);
+    ig_value x;
+    if (next == nullptr || host->get(next, ids.first, &x) == 0) continue;
+    if (x.number == 3) host->set(block, ids.second, {.integer = 1});
+    break;
+  }
+  return IG_CHANGED;
+}
+
+/// The chain of Next, which looks at the blocks up to one with an X, and of Sum, which it wakes and which reads two.
+struct LookingTwice {
+  explicit LookingTwice(bool ends_at_x) : library({}) {
+    const std::uint32_t ends = ends_at_x ? IG_ENDS_AHEAD : 0;
+    auto& reader = plugin.syntax("Reader");
+    reader.fields = {test::field("Test.X", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
+                     test::field("Test.Unused", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
+    reader.out.triggers = "X";
+    reader.out.scan = scan;
+    reader.out.build = nullptr;
+    auto& next = plugin.syntax("Next");
+    next.fields = {test::field("Test.X", IG_READ | IG_WAKE | ends, IG_NUMBER, IG_LIFE_BLOCK),
+                   test::field("Test.~Go", IG_WRITE, IG_SWITCH, IG_LIFE_BLOCK)};
+    next.out.build = look_at_next;
+    next.out.look_ahead = 5;
+    auto& sum = plugin.syntax("Sum");
+    sum.fields = {test::field("Test.X", IG_READ, IG_NUMBER, IG_LIFE_BLOCK),
+                  test::field("Test.Sum", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
+                  test::field("Test.~Go", IG_READ | IG_WAKE, IG_SWITCH, IG_LIFE_BLOCK)};
+    sum.out.build = add_next;
+    sum.out.look_ahead = 2;
+    for (auto* s : {&reader, &next, &sum}) {
+      s->out.create = create;
+      s->out.destroy = destroy;
+    }
+    library.add(plugin.get());
+    Dialect dialect;
+    dialect.name = "test";
+    dialect.plugins = {{plugin.get()->name, {}}};
+    dialect.chain = {{Stage::parsing, "Reader", "Reader", {}, false, {}},
+                     {Stage::post_logic, "Next", "Next", {}, false, {}},
+                     {Stage::post_logic, "Sum", "Sum", {}, false, {}}};
+    linked = link(dialect, library, diagnostics);
+    diagnostics.all.clear();
+  }
+
+  /// The blocks, and how many wait when each of them begins.
+  void run_text(std::string_view text) {
+    struct Waiting : BlockListener {
+      bool before(const NextBlock& next, StandingRun&) override {
+        counts.push_back(next.waiting);
+        return true;
+      }
+      std::vector<std::size_t> counts;
+    } listener;
+    RunOptions options;
+    options.listener = &listener;
+    options.chain.mode = Mode::checked;
+    Collector out;
+    run(*linked, *memory_source(text), "t", options, {&out}, diagnostics);
+    blocks = out.blocks;
+    waiting = listener.counts;
+  }
+
+  test::Plugin plugin{"twice"};
+  Library library;
+  DiagnosticList diagnostics;
+  std::unique_ptr<LinkedDialect> linked;
+  Strings blocks;
+  std::vector<std::size_t> waiting;
+};
+
+TEST_CASE("a block waits up to one with the field that ends the look-ahead, and for what it wakes by then") {
+  LookingTwice promised(true), all(false);
+  REQUIRE(promised.linked != nullptr);
+  const std::string text = "X1\nX2\nX3\nX4\n(\nX5\nX6";
+  promised.run_text(text);
+  all.run_text(text);
+  CHECK(promised.blocks == all.blocks);
+  CHECK(promised.blocks[1] == "2:2+7");  // Sum has seen both blocks that it needs
+  CHECK(said(promised.diagnostics).empty());
+  using Counts = std::vector<std::size_t>;
+  CHECK(all.waiting == Counts{0, 1, 2, 3, 4, 5, 5});
+  CHECK(promised.waiting == Counts{0, 1, 1, 2, 1, 2, 1});
+}
+
+TEST_CASE("a look past the block that was promised to be the last one is reported") {
+  Fixture f;
+  f.plugin.syntaxes[1].fields[0].access |= IG_ENDS_AHEAD;  // of Sum, which reads two blocks in any case
+  Library library({});
+  library.add(f.plugin.get());
+  const auto linked = link(f.linked->dialect, library, f.diagnostics);
+  REQUIRE(linked != nullptr);
+  f.diagnostics.all.clear();
+  RunOptions options;
+  options.chain.mode = Mode::checked;
+  Collector out;
+  run(*linked, *memory_source("X1\nX2\nX3"), "t", options, {&out}, f.diagnostics);
+  REQUIRE_FALSE(f.diagnostics.all.empty());
+  CHECK(f.diagnostics.all[0].code == "IG-0402");
+  CHECK(f.diagnostics.all[0].message.find("past the block 1 with a field that it declares as the last one") !=
+        std::string::npos);
 }
 
 TEST_CASE("diagnostics keep the order of the blocks, whatever stage says them") {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "isogloss/engine/document_json.hpp"
@@ -185,6 +186,37 @@ TEST_CASE("lines are found again after jumps, back and forth") {
     CHECK(found->count == 1);
     CHECK_FALSE(found->is_left);
   }
+}
+
+/// Counts the threads of this process at a line of a run that is in no hurry.
+class ThreadCount : public Exporter {
+ public:
+  explicit ThreadCount(std::uint32_t line) : line_(line) {}
+  void begin(Document&, const SymbolTable&) override {}
+  bool block(Document& d, const SymbolTable&) override {
+    if (d.source.line % 64 == 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
+    if (d.source.line == line_)
+      for ([[maybe_unused]] const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) ++threads;
+    return true;
+  }
+  bool end() override { return true; }
+  std::size_t threads = 0;
+
+ private:
+  std::uint32_t line_;
+};
+
+TEST_CASE("where the run takes nothing of what is scanned ahead, its thread ends") {
+  Fixture f;
+  std::string text = "L5\n";  // the thread begins later, and reads a level that does not exist
+  for (int i = 0; i < 200'000; ++i) text += "R\n";
+  ThreadCount alone(200'001), helped(200'001);
+  RunOptions options;
+  isogloss::run(*f.linked, *memory_source(text), "t", options, {&alone}, f.diagnostics);
+  options.scans_ahead_after = 100;
+  isogloss::run(*f.linked, *memory_source(text), "t", options, {&helped}, f.diagnostics);
+  if (std::thread::hardware_concurrency() > 1) CHECK(scanned_elsewhere > 10'000);
+  CHECK(helped.threads == alone.threads);
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ namespace ig {
 /// What a syntax does with a field, combined with |. A field must be declared for each use. read: this block's value or
 /// the carried one; required: read, and linking fails where no syntax writes the field; write: set, amend or erase;
 /// take: consume a word or code; previous: the value before this block; wake: run build() when the field is set in this
-/// block; wake_while: run build() in each block that starts with the field.
+/// block; wake_while: run build() in each block that starts with the field; ends_ahead: a block with the field is the
+/// last one that build() reads with Block::ahead().
 enum Access : std::uint32_t {
   read = IG_READ,
   required = IG_READ | IG_REQUIRED,
@@ -27,7 +28,8 @@ enum Access : std::uint32_t {
   take = IG_TAKE,
   previous = IG_PREVIOUS,
   wake = IG_WAKE,
-  wake_while = IG_WAKE_WHILE
+  wake_while = IG_WAKE_WHILE,
+  ends_ahead = IG_ENDS_AHEAD
 };
 constexpr Access operator|(Access a, Access b) {
   return static_cast<Access>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));

@@ -24,12 +24,12 @@ struct KlartextCorner {
   /// do not.
   ig::In<bool> in_plane_{
       "KlartextPath.IsFeedInPlane", ig::wake, {ig::Life::block, "", "The move may end in a corner."}};
-  ig::In<ig::Symbol> form_{"MotionEvent.Form"};
-  ig::In<double> radius_{"KlartextCorner.Radius_mm", ig::wake, {ig::Life::block, "mm", "RND R"}};
-  ig::In<double> chamfer_{"KlartextCorner.Chamfer_mm", ig::wake, {ig::Life::block, "mm", "CHF"}};
+  ig::In<ig::Symbol> form_{"MotionEvent.Form", ig::read | ig::ends_ahead};
+  ig::In<double> radius_{"KlartextCorner.Radius_mm", ig::wake | ig::ends_ahead, {ig::Life::block, "mm", "RND R"}};
+  ig::In<double> chamfer_{"KlartextCorner.Chamfer_mm", ig::wake | ig::ends_ahead, {ig::Life::block, "mm", "CHF"}};
   ig::Signal open_{"KlartextCorner.~Open", ig::read | ig::wake_while, ig::Life::modal};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
-  ig::In<ig::Symbol> compound_{"CompoundMotion.Term"};
+  ig::In<ig::Symbol> compound_{"CompoundMotion.Term", ig::read | ig::ends_ahead};
   ContourApproach approach_{ig::wake};
   ig::In<double> tool_radius_{"RadiusCompensation.Radius_mm"};
   CornerBreakState corner_{ig::write};

@@ -135,8 +135,9 @@ class Chain {
 
   // Requests of syntaxes in this block.
   bool ends_program = false, ends_file = false, alarmed = false, skip_rest = false;
-  /// Chain position of a syntax that looks ahead and that run() came to before the stage of such syntaxes began: the
-  /// block has to wait for those after it. 0: none; the owner of the window resets it.
+  /// Chain position of a syntax that looks ahead and that run() came to before the stage of such syntaxes began, or
+  /// before the window held enough for it: the block has to wait for those after it. 0: none; the owner of the window
+  /// resets it.
   std::uint32_t waits_at = 0;
   /// Chain position + 1 of the syntax that reported its failure; the host reports a failure without a reason.
   std::uint16_t failure_said_by = 0;
@@ -186,6 +187,8 @@ class Chain {
 
   /// The window of executed blocks ahead of a post-logic document, set by the runner.
   std::vector<Document*> window;
+  /// More may come: a syntax that the window is too short for has to wait.
+  bool window_grows = false;
 
   static const Breadcrumb& breadcrumb();
 
@@ -224,6 +227,7 @@ class Chain {
   };
   void call_watched(Document& document, std::uint32_t position);  // checked and traced modes
   bool call_looking_ahead(Document& document, std::uint32_t position, std::uint32_t first);
+  bool sees_enough(std::uint32_t position) const;
   void inspect(Document& document, std::uint32_t first, std::uint32_t last);
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
   void run_whole(Document& document);

@@ -61,7 +61,7 @@ struct ListData {
     present.resize(room);
     values.resize(room * stride);
   }
-  /// One more record, for which there is room and of which `mask` is present. Values that are not present are undefined.
+  /// One more record, for which there is room. What `mask` does not say is present is undefined.
   ig_value* add(std::uint64_t mask) {
     present[count] = mask;
     return record(count++);

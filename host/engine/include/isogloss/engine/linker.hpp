@@ -25,6 +25,16 @@ struct WakeWhile {
   std::uint32_t position;
 };
 
+class Document;
+
+/// A syntax that reads blocks ahead.
+struct LookAhead {
+  std::uint32_t position;
+  std::uint32_t blocks;        ///< at most
+  std::vector<ig_field> ends;  ///< a block that has one of these is the last that it reads
+  bool ends_at(const Document& block) const;
+};
+
 struct LinkedSyntax {
   ChainElement element;
   const ig_syntax* syntax = nullptr;
@@ -53,7 +63,7 @@ struct LinkedDialect {
   std::uint32_t first_build = 0;    ///< chain position; the scanners before it have no build() and are never awake
   std::vector<WakeWhile> wake_while;
   std::uint32_t post_logic_begin = 0, inspection_begin = 0;  ///< chain positions
-  std::uint32_t look_ahead = 0;
+  std::vector<LookAhead> look_ahead;                         ///< in the order of the chain
   std::vector<std::pair<ig_field, ig_value>> initial;
 
   std::optional<std::uint32_t> position(std::string_view alias) const;

@@ -11,11 +11,11 @@ namespace isogloss {
 
 /// A line that was scanned ahead. What was noted of it lies directly behind.
 struct ScannedLine {
-  std::uint64_t offset = 0;   ///< in the source
-  std::uint32_t size = 0;     ///< bytes of its text
-  std::uint16_t count = 0;    ///< notes
-  bool is_left = false;       ///< to its turn: more than its text decides what is found
-  bool has_read = false;      ///< a value that is carried from the blocks before
+  std::uint64_t offset = 0;  ///< in the source
+  std::uint32_t size = 0;    ///< bytes of its text
+  std::uint16_t count = 0;   ///< notes
+  bool is_left = false;      ///< to its turn: more than its text decides what is found
+  bool has_read = false;     ///< a value that is carried from the blocks before
   const ig_word* notes() const { return reinterpret_cast<const ig_word*>(this + 1); }
 };
 
@@ -30,7 +30,7 @@ struct LineNotes {
   std::array<ig_word, most> words;
 
   void leave() { line.is_left = true; }
-  /// Member by member: a word that is put together elsewhere is copied in larger pieces, and waits for its smaller ones.
+  /// Member by member: a word that is put together elsewhere is copied in larger pieces, and waits for smaller ones.
   void add(ig_field field, ig_value value, std::uint32_t flags, std::uint16_t scanner, std::uint16_t begin = 0,
            std::uint16_t end = 0) {
     if (line.count == most) return leave();
