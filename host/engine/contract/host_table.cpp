@@ -104,7 +104,7 @@ void refuse_past_end(const Document& d, std::uint32_t k) {
     for (std::size_t i = 0; i + 1 < k && i < window.size(); ++i)
       if (looking.ends_at(*window[i]))
         return violation(d, "it asks for the block " + std::to_string(k) + " ahead, past the block " +
-                                std::to_string(i + 1) + " with a field that it declares as the last one");
+                                std::to_string(i + 1) + ", which has a field that ends its look-ahead");
   }
 }
 

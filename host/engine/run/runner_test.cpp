@@ -64,36 +64,34 @@ ig_status miss_end(void*, const ig_host* host, ig_block* block) {
   return IG_UNCHANGED;
 }
 
+/// A plugin with the reader of X, its chain, and what linking says.
 struct Fixture {
-  explicit Fixture(bool misses_end = false) : library({}) {
-    auto& reader = plugin.syntax("Reader");
-    reader.fields = {test::field("Test.X", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
-                     test::field("Test.Unused", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
-    reader.out.triggers = "X;!.%";
-    reader.out.scan = scan;
-    reader.out.build = nullptr;
-    auto& sum = plugin.syntax("Sum");
-    sum.fields = {test::field("Test.X", IG_READ | IG_WAKE, IG_NUMBER, IG_LIFE_BLOCK),
-                  test::field("Test.Sum", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
-    sum.out.build = add_next;
-    sum.out.look_ahead = 2;
-    for (auto* s : {&reader, &sum}) {
-      s->out.create = create;
-      s->out.destroy = destroy;
-    }
+  Fixture() : library({}) {
+    add("Reader", {test::field("Test.X", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
+                   test::field("Test.Unused", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)});
+    ig_syntax& reader = plugin.syntaxes.back().out;
+    reader.triggers = "X;!.%";
+    reader.scan = scan;
+    reader.build = nullptr;
     plugin.diagnostics = {{sizeof(ig_diagnostic_decl), IG_NOTE, "T-0001", "read", "", ""},
                           {sizeof(ig_diagnostic_decl), IG_ERROR, "T-0002", "seven", "", ""},
                           {sizeof(ig_diagnostic_decl), IG_WARNING, "T-0003", "no end", "", ""}};
-    auto& end = plugin.syntax("End");
-    end.fields = {test::field("Source.~End", IG_READ | IG_WAKE, IG_SWITCH, IG_LIFE_BLOCK)};
-    end.out.build = miss_end;
+  }
+
+  ig_syntax& add(const char* id, std::vector<ig_field_decl> fields) {
+    auto& syntax = plugin.syntax(id);
+    syntax.fields = std::move(fields);
+    syntax.out.create = create;
+    syntax.out.destroy = destroy;
+    return syntax.out;
+  }
+  void link_chain(std::initializer_list<std::pair<Stage, const char*>> rest) {
     library.add(plugin.get());
     Dialect dialect;
     dialect.name = "test";
     dialect.plugins = {{plugin.get()->name, {}}};
-    dialect.chain = {{Stage::parsing, "Reader", "Reader", {}, false, {}},
-                     {Stage::post_logic, "Sum", "Sum", {}, false, {}}};
-    if (misses_end) dialect.chain.insert(dialect.chain.end() - 1, {Stage::logic, "End", "End", {}, false, {}});
+    dialect.chain = {{Stage::parsing, "Reader", "Reader", {}, false, {}}};
+    for (const auto& [stage, id] : rest) dialect.chain.push_back({stage, id, id, {}, false, {}});
     linked = link(dialect, library, diagnostics);
     diagnostics.all.clear();  // notes of fields that nothing reads
   }
@@ -102,6 +100,23 @@ struct Fixture {
   Library library;
   DiagnosticList diagnostics;
   std::unique_ptr<LinkedDialect> linked;
+};
+
+/// The chain of Sum, which adds up the X of the two blocks that follow.
+struct Summing : Fixture {
+  explicit Summing(bool misses_end = false, std::uint32_t access_of_x = IG_READ | IG_WAKE) {
+    ig_syntax& sum = add("Sum", {test::field("Test.X", access_of_x, IG_NUMBER, IG_LIFE_BLOCK),
+                                 test::field("Test.Sum", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)});
+    sum.build = add_next;
+    sum.look_ahead = 2;
+    auto& end = plugin.syntax("End");
+    end.fields = {test::field("Source.~End", IG_READ | IG_WAKE, IG_SWITCH, IG_LIFE_BLOCK)};
+    end.out.build = miss_end;
+    if (misses_end)
+      link_chain({{Stage::logic, "End"}, {Stage::post_logic, "Sum"}});
+    else
+      link_chain({{Stage::post_logic, "Sum"}});
+  }
 };
 
 /// Line, X and sum of each block, as text: "1:1+5"; in brackets when it did not pass through the window.
@@ -131,7 +146,7 @@ class Collector : public Exporter {
 using Strings = std::vector<std::string>;
 
 TEST_CASE("the window holds executed blocks, and is flushed at the end") {
-  Fixture f;
+  Summing f;
   REQUIRE(f.linked != nullptr);
   REQUIRE(f.linked->look_ahead.size() == 1);
   REQUIRE(f.linked->look_ahead[0].blocks == 2);
@@ -149,7 +164,7 @@ Strings said(const DiagnosticList& list) {
 }
 
 TEST_CASE("only blocks that a syntax wants to look ahead from wait, and those that come up behind them") {
-  Fixture f;
+  Summing f;
   Collector out;
   const auto source = memory_source("(\n(\nX1\n(\nX2\n(\n(\n(\nX3\n(");
   run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
@@ -170,39 +185,19 @@ ig_status look_at_next(void* self, const ig_host* host, ig_block* block) {
 }
 
 /// The chain of Next, which looks at the blocks up to one with an X, and of Sum, which it wakes and which reads two.
-struct LookingTwice {
-  explicit LookingTwice(bool ends_at_x) : library({}) {
+struct LookingTwice : Fixture {
+  explicit LookingTwice(bool ends_at_x) {
     const std::uint32_t ends = ends_at_x ? IG_ENDS_AHEAD : 0;
-    auto& reader = plugin.syntax("Reader");
-    reader.fields = {test::field("Test.X", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
-                     test::field("Test.Unused", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
-    reader.out.triggers = "X";
-    reader.out.scan = scan;
-    reader.out.build = nullptr;
-    auto& next = plugin.syntax("Next");
-    next.fields = {test::field("Test.X", IG_READ | IG_WAKE | ends, IG_NUMBER, IG_LIFE_BLOCK),
-                   test::field("Test.~Go", IG_WRITE, IG_SWITCH, IG_LIFE_BLOCK)};
-    next.out.build = look_at_next;
-    next.out.look_ahead = 5;
-    auto& sum = plugin.syntax("Sum");
-    sum.fields = {test::field("Test.X", IG_READ, IG_NUMBER, IG_LIFE_BLOCK),
-                  test::field("Test.Sum", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
-                  test::field("Test.~Go", IG_READ | IG_WAKE, IG_SWITCH, IG_LIFE_BLOCK)};
-    sum.out.build = add_next;
-    sum.out.look_ahead = 2;
-    for (auto* s : {&reader, &next, &sum}) {
-      s->out.create = create;
-      s->out.destroy = destroy;
-    }
-    library.add(plugin.get());
-    Dialect dialect;
-    dialect.name = "test";
-    dialect.plugins = {{plugin.get()->name, {}}};
-    dialect.chain = {{Stage::parsing, "Reader", "Reader", {}, false, {}},
-                     {Stage::post_logic, "Next", "Next", {}, false, {}},
-                     {Stage::post_logic, "Sum", "Sum", {}, false, {}}};
-    linked = link(dialect, library, diagnostics);
-    diagnostics.all.clear();
+    ig_syntax& next = add("Next", {test::field("Test.X", IG_READ | IG_WAKE | ends, IG_NUMBER, IG_LIFE_BLOCK),
+                                   test::field("Test.~Go", IG_WRITE, IG_SWITCH, IG_LIFE_BLOCK)});
+    next.build = look_at_next;
+    next.look_ahead = 5;
+    ig_syntax& sum = add("Sum", {test::field("Test.X", IG_READ, IG_NUMBER, IG_LIFE_BLOCK),
+                                 test::field("Test.Sum", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK),
+                                 test::field("Test.~Go", IG_READ | IG_WAKE, IG_SWITCH, IG_LIFE_BLOCK)});
+    sum.build = add_next;
+    sum.look_ahead = 2;
+    link_chain({{Stage::post_logic, "Next"}, {Stage::post_logic, "Sum"}});
   }
 
   /// The blocks, and how many wait when each of them begins.
@@ -223,10 +218,6 @@ struct LookingTwice {
     waiting = listener.counts;
   }
 
-  test::Plugin plugin{"twice"};
-  Library library;
-  DiagnosticList diagnostics;
-  std::unique_ptr<LinkedDialect> linked;
   Strings blocks;
   std::vector<std::size_t> waiting;
 };
@@ -234,37 +225,33 @@ struct LookingTwice {
 TEST_CASE("a block waits up to one with the field that ends the look-ahead, and for what it wakes by then") {
   LookingTwice promised(true), all(false);
   REQUIRE(promised.linked != nullptr);
-  const std::string text = "X1\nX2\nX3\nX4\n(\nX5\nX6";
+  const std::string text = "X1!\nX2!\nX3!\nX4!\n(!\nX5\nX6!";
   promised.run_text(text);
   all.run_text(text);
   CHECK(promised.blocks == all.blocks);
   CHECK(promised.blocks[1] == "2:2+7");  // Sum has seen both blocks that it needs
-  CHECK(said(promised.diagnostics).empty());
+  CHECK(said(promised.diagnostics) == Strings{"1 T-0001", "2 T-0001", "3 T-0001", "4 T-0001", "5 T-0001", "7 T-0001"});
+  CHECK(said(promised.diagnostics) == said(all.diagnostics));
   using Counts = std::vector<std::size_t>;
   CHECK(all.waiting == Counts{0, 1, 2, 3, 4, 5, 5});
   CHECK(promised.waiting == Counts{0, 1, 1, 2, 1, 2, 1});
 }
 
 TEST_CASE("a look past the block that was promised to be the last one is reported") {
-  Fixture f;
-  f.plugin.syntaxes[1].fields[0].access |= IG_ENDS_AHEAD;  // of Sum, which reads two blocks in any case
-  Library library({});
-  library.add(f.plugin.get());
-  const auto linked = link(f.linked->dialect, library, f.diagnostics);
-  REQUIRE(linked != nullptr);
-  f.diagnostics.all.clear();
+  Summing f(false, IG_READ | IG_WAKE | IG_ENDS_AHEAD);  // it reads two blocks in any case
+  REQUIRE(f.linked != nullptr);
   RunOptions options;
   options.chain.mode = Mode::checked;
   Collector out;
-  run(*linked, *memory_source("X1\nX2\nX3"), "t", options, {&out}, f.diagnostics);
+  run(*f.linked, *memory_source("X1\nX2\nX3"), "t", options, {&out}, f.diagnostics);
   REQUIRE_FALSE(f.diagnostics.all.empty());
   CHECK(f.diagnostics.all[0].code == "IG-0402");
-  CHECK(f.diagnostics.all[0].message.find("past the block 1 with a field that it declares as the last one") !=
+  CHECK(f.diagnostics.all[0].message.find("past the block 1, which has a field that ends its look-ahead") !=
         std::string::npos);
 }
 
 TEST_CASE("diagnostics keep the order of the blocks, whatever stage says them") {
-  Fixture f;
+  Summing f;
   Collector out;
   const auto source = memory_source("!\nX7!\nX2!\n!\n!\n!");
   run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
@@ -273,7 +260,7 @@ TEST_CASE("diagnostics keep the order of the blocks, whatever stage says them") 
 }
 
 TEST_CASE("a text that ends before its program does wakes who wants to know, behind all blocks and once") {
-  Fixture f(true);
+  Summing f(true);
   REQUIRE(f.linked != nullptr);
   const auto run_text = [&f](std::string_view text, std::uint64_t maximum_blocks = 0) {
     Collector out;
@@ -296,7 +283,7 @@ TEST_CASE("a text that ends before its program does wakes who wants to know, beh
 }
 
 TEST_CASE("an alarm behind the window stops the run there: what was read ahead is not executed") {
-  Fixture f;
+  Summing f;
   Collector out;
   RunOptions options;
   options.stop_on_error = true;
@@ -308,7 +295,7 @@ TEST_CASE("an alarm behind the window stops the run there: what was read ahead i
 }
 
 TEST_CASE("a limit of lines waits until the block of that line has seen what is ahead") {
-  Fixture f;
+  Summing f;
   Collector out;
   RunOptions options;
   options.stop_after_line = 1;
@@ -320,7 +307,7 @@ TEST_CASE("a limit of lines waits until the block of that line has seen what is 
 }
 
 TEST_CASE("a scanner may split a line into blocks; columns go on") {
-  Fixture f;
+  Summing f;
   Collector out;
   const auto source = memory_source("X1;X2 ; \nX3");
   const RunResult result = run(*f.linked, *source, "t", {}, {&out}, f.diagnostics);
@@ -330,7 +317,7 @@ TEST_CASE("a scanner may split a line into blocks; columns go on") {
 }
 
 TEST_CASE("a run ends at its limit of blocks, and says so") {
-  Fixture f;
+  Summing f;
   Collector out;
   RunOptions options;
   options.maximum_blocks = 2;
@@ -444,7 +431,7 @@ TEST_CASE("a block of lines that go on is bounded, and what it goes on in is no 
 }
 
 TEST_CASE("what is said of joined lines has the line and the column where it stands") {
-  Fixture f;
+  Summing f;
   f.linked->dialect.segmenter.continuation = "&";
   Collector out;
   const auto source = memory_source("X1 &\n  \x01 & \r\n X2\nX3 \x01");
@@ -456,7 +443,7 @@ TEST_CASE("what is said of joined lines has the line and the column where it sta
 }
 
 TEST_CASE("a block of many lines is looked at once, whatever is said of it") {
-  Fixture f;
+  Summing f;
   f.linked->dialect.segmenter.continuation = "&";
   std::string text;
   constexpr std::uint32_t lines = 200'000;

@@ -77,7 +77,6 @@ ScanAhead::~ScanAhead() {
 const ScannedLine* ScanAhead::find(const Line& line) {
   if (epoch_ == 0) [[unlikely]] {
     if (is_built_) read_on_from(line.offset);
-    patience_ = least_patience;
     return nullptr;
   }
   while (at_ < taken_.size || take_batch()) {
@@ -134,7 +133,11 @@ void ScanAhead::work() try {
   chain_->notes = &filling_.next();
   chain_->start(file_);
   is_built_ = true;
-  if (std::unique_lock lock(mutex_); true) changed_.wait(lock, [this] { return stops_ || asked_ != 0; });
+  {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return stops_ || asked_ != 0; });
+    if (stops_) return;
+  }
   for (Line line; !is_useless();) {
     if (filling_.epoch != asked_) seek();
     const bool has_line = cursor_.next(line);

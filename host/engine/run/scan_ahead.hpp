@@ -64,7 +64,7 @@ class ScanAhead : FlowHost {
   // The run's.
   Batch taken_;
   std::size_t at_ = 0;
-  std::uint32_t epoch_ = 0, patience_ = least_patience, misses_ = 0;
+  std::uint32_t epoch_ = 0, patience_ = 0, misses_ = 0;
   std::uint64_t from_ = 0, hits_ = 0;
   // The thread's.
   alignas(cache_line) DiagnosticList ignored_;

@@ -11,8 +11,8 @@ namespace iso {
 /// A call with nothing missing; positions and levels in mm of program coordinates.
 struct ResolvedHole {
   ig::Symbol cycle;
-  const PlaneAxes& plane;
-  ig::Vec3 position;  ///< its component along the tool axis is not used
+  const PlaneAxes& plane;  // as `levels`, of the build() that makes it
+  ig::Vec3 position;       ///< its component along the tool axis is not used
   const CycleLevels& levels;
   double initial_level = 0;
   int count = 1;           ///< of holes
