@@ -79,6 +79,34 @@ TEST_CASE("three fields side by side are the same as three") {
   }
 }
 
+TEST_CASE("fields that are set or taken together are the same as one by one") {
+  const ig_host& host = host_table(GENERATE(Mode::fast, Mode::traced));
+  const Numbers numbers;
+  // Back and forth between the words of bits, one field twice, one that is not there, one beyond the document.
+  const std::vector<ig_field> fields = {1, 130, 2, 70, 70, 3, 1, 64, 10, 149, 128, Numbers::count + 5, 4};
+  const auto count = static_cast<std::uint32_t>(fields.size());
+  Document together = numbers.filled(), one_by_one = numbers.filled();
+
+  std::vector<ig_value> taken(count, {.number = -1}), taken_alone = taken;
+  const std::uint32_t found = host.take_many(block(together), fields.data(), count, taken.data());
+  std::uint32_t found_alone = 0;
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (host.take(block(one_by_one), fields[i], &taken_alone[i]) != 0) found_alone |= 1u << i;
+  CHECK(found == found_alone);
+  for (std::uint32_t i = 0; i < count; ++i) CHECK(taken[i].number == taken_alone[i].number);
+  CHECK(same(together, one_by_one));
+  CHECK(together.taken(130));
+  CHECK_FALSE(together.present(1));
+
+  std::vector<ig_value> values(count);
+  for (std::uint32_t i = 0; i < count; ++i) values[i].number = i;
+  host.set_many(block(together), fields.data(), count, values.data());
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (fields[i] < Numbers::count) host.set(block(one_by_one), fields[i], values[i]);
+  CHECK(same(together, one_by_one));
+  CHECK(together.number(70) == 4);
+}
+
 TEST_CASE("what a block shows is what the calls answer") {
   const ig_host& host = host_table(Mode::fast);
   REQUIRE((host.flags & IG_HOST_SHOWS_BLOCKS) != 0);
