@@ -98,6 +98,7 @@ namespace {
                                                 const ig_value* v) {
   ListData& list = d.lists[shape.list];
   ig_value* const record = list.add(shape.mask);
+#pragma GCC unroll 4
   for (std::uint32_t i = 0; i < shape.count; ++i) record[index_in_record(fields[i])] = v[i];
   if (d.chain != nullptr) ++d.chain->records;
   d.wake_by_list(shape.list);
@@ -186,22 +187,30 @@ template <Mode M>
   for (int i = 0; i < 6; ++i) at[i] = index_in_record(all[i]);
   const std::uint64_t wanted = std::uint64_t{1} << at[0] | std::uint64_t{1} << at[1] | std::uint64_t{1} << at[2];
   const std::uint64_t given = std::uint64_t{1} << at[3] | std::uint64_t{1} << at[4] | std::uint64_t{1} << at[5];
-  const Frame& frame = d.composed();
-  ig_value* v = list->values.data();
-  for (std::uint64_t& present : list->masks()) {
-    if ((present & (wanted | given)) == wanted) {
-      const double from[3] = {v[at[0]].number, v[at[1]].number, v[at[2]].number};
-      if (frame.kind == Frame::Kind::general) {
-        double to[3];
-        frame.map(from, to);
-        for (int i = 0; i < 3; ++i) v[at[3 + i]].number = to[i];
-      } else {
-        for (int i = 0; i < 3; ++i) v[at[3 + i]].number = from[i] + frame.matrix[12 + i];
+  const auto each = [&](const auto& map) {
+    ig_value* v = list->values.data();
+    for (std::uint64_t& present : list->masks()) {
+      if ((present & (wanted | given)) == wanted) {
+        map(v);
+        present |= given;
       }
-      present |= given;
+      v += list->stride;
     }
-    v += list->stride;
-  }
+  };
+  const Frame& frame = d.composed();
+  if (frame.kind == Frame::Kind::general)
+    each([&](ig_value* v) {
+      const double from[3] = {v[at[0]].number, v[at[1]].number, v[at[2]].number};
+      double to[3];
+      frame.map(from, to);
+      for (int i = 0; i < 3; ++i) v[at[3 + i]].number = to[i];
+    });
+  else
+    each([&at, x = frame.matrix[12], y = frame.matrix[13], z = frame.matrix[14]](ig_value* v) {
+      v[at[3]].number = v[at[0]].number + x;
+      v[at[4]].number = v[at[1]].number + y;
+      v[at[5]].number = v[at[2]].number + z;
+    });
 }
 
 /// Most blocks have no records, and each block with a point asks.

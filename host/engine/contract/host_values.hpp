@@ -183,6 +183,11 @@ std::int32_t find_code(const ig_block* block, const ig_field* fields, std::uint3
   std::int64_t ordinal = -1;
   *found = 0;
   if (d.codes_seen == 0) return -1;
+  if constexpr (M == Mode::fast)
+    if (const std::int32_t only = d.only_present(fields, count); only != Document::several_present) {
+      *found = only >= 0 ? 1 : 0;
+      return only;
+    }
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!may<M>(d, fields[i], Use::read) || !d.present(fields[i])) continue;
     ++*found;
@@ -201,6 +206,8 @@ std::int32_t take_code(ig_block* block, const ig_field* fields, std::uint32_t co
   std::int64_t ordinal = -1;
   *found = 0;
   if (d.codes_seen == 0) return -1;
+  if constexpr (M == Mode::fast)
+    if (d.only_present(fields, count) == Document::none_present) return -1;
   for (std::uint32_t i = 0; i < count; ++i) {
     ig_value value;
     if (!d.present(fields[i]) || take<M>(block, fields[i], &value) == 0) continue;

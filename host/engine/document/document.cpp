@@ -246,6 +246,21 @@ void Document::set_text(ig_field f, std::string_view text) {
   set(f, v);
 }
 
+void Document::find_group(const ig_field* f, std::uint32_t count, FieldGroup& out) const {
+  out.count = count;
+  std::copy_n(f, count, out.fields.begin());
+  out.word = f[0] >> 6;
+  out.mask = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (f[i] >= size_ || f[i] >> 6 != out.word || (out.mask & bit(f[i])) != 0) {
+      out.mask = 0;
+      return;
+    }
+    out.mask |= bit(f[i]);
+    out.index[f[i] & 63] = static_cast<std::uint8_t>(i);
+  }
+}
+
 void Document::mark_pointless(ig_field f, bool pointless) {
   Bits& bits = fields_.bits[f >> 6];
   bits.pointless = pointless ? bits.pointless | bit(f) : bits.pointless & ~bit(f);
@@ -276,6 +291,7 @@ void Document::begin(const BlockSource& where) {
     // One by one, as they were written: a larger piece would have to wait until the last of them is in memory.
     const State* const from = state + run.from;
     State* const to = state + run.to;
+#pragma GCC unroll 4
     for (std::uint32_t i = 0; i < run.count; ++i) to[i].value = from[i].value;
     if (!origins.empty()) [[unlikely]]  // who wrote it is asked in traced mode only
       for (std::uint32_t i = 0; i < run.count; ++i) to[i].place = from[i].place;
@@ -284,6 +300,7 @@ void Document::begin(const BlockSource& where) {
     copies = (copies & ~(run.mask << (run.to & 63))) | known << (run.to & 63);
   }
   const auto carry = [all](std::uint32_t first, std::uint32_t last) {
+#pragma GCC unroll 3
     for (Bits* bits = all + first; bits != all + last; ++bits) bits->carry();
   };
   carry(0, far_begin_);

@@ -180,5 +180,65 @@ TEST_CASE("several fields written at once wake and count what each of them does"
   for (const ig_field field : fields) CHECK(many.without_point(field) == one.without_point(field));
 }
 
+TEST_CASE("fields that are asked for at once answer as each of them does") {
+  const ManyFields f;
+  const ig_field owned = f.owned - 199;
+  const std::vector<std::vector<ig_field>> calls{
+      {owned, owned + 1, owned + 2, owned + 3, owned + 4},  // as they stand
+      {f.word, owned + 9, f.code, owned, owned + 3},        // in one word of bits, in another order
+      {f.word, owned + 70, f.code, owned, owned + 140},     // in several
+      {f.word, owned + 3, f.word, owned},                   // one of them twice
+      {f.word, f.code, 4'000'000'000, IG_NO_FIELD},         // some that do not exist
+      {f.modal + 64, f.modal + 65, f.modal + 66, f.modal + 67, f.code, f.word},
+      {owned + 3, f.word},
+      {},
+  };
+  Document one(f.layout, std::vector<std::uint64_t>(f.layout.fields.size() * 2), 2);
+  Document many = one;
+  std::vector<ig_field> here;  // all calls name their fields at the same place
+  here.reserve(40);
+  for (int round = 0; round < 3; ++round)
+    for (const std::vector<ig_field>& fields : calls)
+      for (std::uint32_t present = 0; present < 64; ++present) {
+        here.assign(fields.begin(), fields.end());
+        const auto count = static_cast<std::uint32_t>(here.size());
+        for (Document* d : {&one, &many}) {
+          begin(*d);
+          for (ig_field modal = f.modal; modal < f.modal + 70; ++modal) d->erase(modal);
+          if (round == 2) d->watch(f.modal + 65, 4);
+          if (round == 2) d->watch(f.word, 8);
+          d->changes = 0;
+          for (std::uint32_t i = 0; i < count; ++i)
+            if ((present >> i & 1) != 0 && fields[i] < d->size()) {
+              d->count_code(fields[i]);
+              d->set(fields[i], {.number = i + 0.5});
+            }
+        }
+        std::vector<ig_value> singly(count), at_once(count);
+        std::uint32_t known = 0;
+        std::int32_t last = Document::none_present;
+        for (std::uint32_t i = 0; i < count; ++i)
+          if (one.present(fields[i])) {
+            last = known == 0 ? static_cast<std::int32_t>(i) : std::int32_t{Document::several_present};
+            known |= 1u << i;
+            singly[i] = one.value(fields[i]);
+          }
+        CAPTURE(round, fields, present);
+        if (const std::int32_t only = many.only_present(here.data(), count); only != Document::several_present)
+          CHECK(only == last);
+        CHECK(many.get_many(here.data(), count, at_once.data()) == known);
+        std::uint32_t taken = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+          CHECK(((known >> i & 1) == 0 || at_once[i].number == singly[i].number));
+          if (one.take(fields[i], singly[i])) taken |= 1u << i;
+        }
+        CHECK(many.take_many(here.data(), count, at_once.data()) == taken);
+        for (std::uint32_t i = 0; i < count; ++i)
+          CHECK(((taken >> i & 1) == 0 || at_once[i].number == singly[i].number));
+        CHECK(many.same_content(one));
+        CHECK(many.changes == one.changes);
+      }
+}
+
 }  // namespace
 }  // namespace isogloss

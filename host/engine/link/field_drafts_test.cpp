@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include <deque>
+#include <set>
+
 #include "test_dialect.hpp"
 
 using namespace isogloss;
@@ -139,4 +142,46 @@ TEST_CASE("X Y Z of a section lie side by side in one word of bits, and so do th
     }
     for (const std::string& path : paths) CHECK(layout.find(path));
   }
+}
+
+TEST_CASE("the words of each code have their bits in one word, and points stay whole") {
+  Plugin plugin("p");
+  Syntax& some = plugin.syntax("Some");
+  Syntax& others = plugin.syntax("Others");
+  std::deque<std::string> paths;
+  const auto add = [&](Syntax& to, const std::string& path, std::uint32_t access, ig_type type = IG_NUMBER) {
+    paths.push_back(path);
+    to.fields.push_back(field(paths.back().c_str(), access, type));
+  };
+  for (int code = 1; code <= 40; ++code) {  // all X Y Z first, so that the words of one code are mentioned apart
+    const std::string path = "Parsing.G" + std::to_string(900 + code);
+    add(some, path, IG_TAKE | IG_WAKE, IG_CODE);
+    for (const char* letter : {".X", ".Y", ".Z"}) add(some, path + letter, IG_TAKE);
+  }
+  for (int code = 1; code <= 40; ++code)
+    for (const char letter : std::string_view("RQPIJKLF").substr(0, static_cast<std::size_t>(code) % 9))
+      add(others, "Parsing.G" + std::to_string(900 + code) + "." + letter, IG_TAKE);
+  Hand hand{"p"};
+  hand.add("Some");
+  hand.add("Others");
+  Library library({});
+  library.add(plugin.get());
+  DiagnosticList found;
+  const auto linked = link(hand.dialect, library, found, LinkMode::whole);
+  REQUIRE(linked != nullptr);
+  const Layout& layout = linked->layout;
+  std::size_t apart = 0;
+  for (int code = 1; code <= 40; ++code) {
+    const std::string path = "Parsing.G" + std::to_string(900 + code) + ".";
+    std::set<ig_field> places;
+    for (ig_field f = 0; f < layout.fields.size(); ++f)
+      if (layout.fields[f].path.starts_with(path)) places.insert(f / 64);
+    REQUIRE(!places.empty());
+    apart += places.size() - 1;
+    const ig_field x = layout.id(path + "X");
+    CHECK(layout.id(path + "Y") == x + 1);
+    CHECK(layout.id(path + "Z") == x + 2);
+    CHECK(x % 64 <= 61);
+  }
+  CHECK(apart <= 4);  // one at each border of two words into which none of those left fits
 }

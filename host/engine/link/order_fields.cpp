@@ -1,5 +1,5 @@
 // Dense ids: modal fields first, among them those that are read as `previous`, with their copies; then the block's,
-// switches, codes, words, words of codes (Parsing.CODE.X).
+// switches, codes, words, words of codes (Parsing.CODE.X), those of each code together.
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -58,6 +58,28 @@ void keep_points_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers
   }
 }
 
+/// The words of one code, which are mostly read and taken at once, have their bits in one word where there is room: the
+/// largest of those that fit into the rest of a word comes next.
+void keep_codes_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers, std::size_t first_id) {
+  std::vector<std::vector<std::uint32_t>> groups;
+  std::unordered_map<std::string_view, std::size_t> group_of;
+  for (const std::uint32_t number : numbers) {
+    const std::string_view path = drafts[number].info.path;
+    const auto [found, is_new] = group_of.try_emplace(path.substr(0, path.rfind('.')), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[found->second].push_back(number);
+  }
+  numbers.clear();
+  while (!groups.empty()) {
+    const std::size_t room = 64 - (first_id + numbers.size()) % 64;
+    const auto size = [room](const std::vector<std::uint32_t>& g) { return g.size() <= room ? g.size() : 0; };
+    const auto next = std::max_element(groups.begin(), groups.end(),
+                                       [&size](const auto& a, const auto& b) { return size(a) < size(b); });
+    numbers.insert(numbers.end(), next->begin(), next->end());
+    groups.erase(next);
+  }
+}
+
 /// By section; in a section what is carried first, words last, each in the order in which it is mentioned.
 void order_for_show(Layout& layout, const std::vector<ig_field>& id_of) {
   std::unordered_map<std::string_view, std::size_t> sections;
@@ -94,6 +116,7 @@ FieldIds order_fields(Linking& linking, FieldDrafts& field_drafts) {
   FieldIds ids{std::vector<ig_field>(drafts.size(), IG_NO_FIELD), std::vector<ig_field>(drafts.size(), IG_NO_FIELD)};
   ig_field next = 0;
   const auto give = [&](std::vector<std::uint32_t>& numbers, std::vector<ig_field>& given) {
+    if (&numbers == &order.back()) keep_codes_whole(drafts, numbers, next);
     keep_points_whole(drafts, numbers, next);
     for (const std::uint32_t number : numbers) given[number] = next++;
   };

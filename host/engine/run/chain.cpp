@@ -129,12 +129,15 @@ void Chain::look_at_state() {
   const std::uint64_t changes = document_.changes;
   if (changes != changing_) {
     changing_ = changes;
-    std::fill_n(awake_by_rest_, linked_.wake_words, 0);
+    clear(awake_by_rest_);
     for (std::size_t i = 0; i < watches_.size(); ++i)
       for (std::size_t k = 0; k < linked_.wake_words && (changes & change_of(i)) == 0; ++k)
         awake_by_rest_[k] |= watches_[i].awake[k];
   }
-  std::copy_n(awake_by_rest_, linked_.wake_words, awake_by_state_);
+  awake_by_state_[0] = awake_by_rest_[0];
+  awake_by_state_[1] = awake_by_rest_[1];
+  if (linked_.wake_words > 2) [[unlikely]]
+    std::copy(awake_by_rest_ + 2, awake_by_rest_ + linked_.wake_words, awake_by_state_ + 2);
   document_.changes = 0;
   passing_ = always_;
   for (std::uint64_t open = changes; open != 0; open &= open - 1) {
@@ -144,8 +147,15 @@ void Chain::look_at_state() {
   }
 }
 
+/// Nearly all chains have two words: a call for so few takes longer than to write them.
+inline void Chain::clear(std::uint64_t* awake) const {
+  awake[0] = awake[1] = 0;
+  if (linked_.wake_words > 2) [[unlikely]]
+    std::fill(awake + 2, awake + linked_.wake_words, 0);
+}
+
 void Chain::look_at(Watch& watch, std::uint64_t change) {
-  std::fill_n(watch.awake, linked_.wake_words, 0);
+  clear(watch.awake);
   if (!document_.present(watch.field)) return;
   if (!watch.is_modal) passing_ |= change;
   const std::uint64_t value = document_.value(watch.field).symbol;
@@ -300,9 +310,7 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
     }
 }
 
-void Chain::run(Document& d, std::uint32_t first, std::uint32_t last) {
-  if (first == 0 && last == steps_.size() && is_plain_) [[likely]]
-    return run_whole(d);
+void Chain::run_part(Document& d, std::uint32_t first, std::uint32_t last) {
   running = &d;
   const std::uint32_t inspection = std::clamp(linked_.inspection_begin, first, last);
   run_range(d, first, inspection);

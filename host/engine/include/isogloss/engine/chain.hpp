@@ -115,7 +115,12 @@ class Chain {
   /// Where a chain that scans ahead notes what it finds.
   LineNotes* notes = nullptr;
   /// Calls the syntaxes in chain positions [first, last) that are awake.
-  void run(Document& document, std::uint32_t first, std::uint32_t last);
+  void run(Document& document, std::uint32_t first, std::uint32_t last) {
+    if (first == 0 && last == steps_.size() && is_plain_) [[likely]]
+      run_whole(document);
+    else
+      run_part(document, first, last);
+  }
   /// One build() of one syntax on the document as it is.
   ig_status build(std::uint32_t position);
   /// run() calls the syntax there, which has a build().
@@ -210,6 +215,7 @@ class Chain {
   void watch_modal_state();
   void look_at_state();
   void look_at(Watch& watch, std::uint64_t change);
+  void clear(std::uint64_t* awake) const;
   /// A bit of Document::changes; the watches beyond share the last one.
   static constexpr std::size_t last_change = 63;
   static std::uint64_t change_of(std::size_t watch) { return std::uint64_t{1} << std::min(watch, last_change); }
@@ -231,6 +237,7 @@ class Chain {
   void inspect(Document& document, std::uint32_t first, std::uint32_t last);
   void run_range(Document& document, std::uint32_t first, std::uint32_t last);
   void run_whole(Document& document);
+  void run_part(Document& document, std::uint32_t first, std::uint32_t last);
   template <bool is_plain>
   void call_steps(Document& document, std::uint32_t begin, const Reach& reach);
   Reach reach(std::uint32_t first, std::uint32_t last) const;

@@ -47,19 +47,19 @@ struct Frame {
 
 struct ListData {
   std::uint32_t stride = 0;
-  std::uint32_t count = 0;
-  // There is room for `count` records and more.
+  std::uint32_t count = 0, room = 0;  ///< records
   std::vector<ig_value> values;
   std::vector<std::uint64_t> present;
 
   ig_value* record(std::size_t index) { return values.data() + index * stride; }
   std::span<const std::uint64_t> masks() const { return {present.data(), count}; }
   std::span<std::uint64_t> masks() { return {present.data(), count}; }
-  bool has_room() const { return count < present.size(); }
-  void make_room() {
-    const std::size_t room = present.size() + present.size() / 2 + 8;
+  bool has_room() const { return count < room; }
+  void make_room() { make_room(room + room / 2 + 8); }
+  void make_room(std::uint32_t records) {
+    room = records;
     present.resize(room);
-    values.resize(room * stride);
+    values.resize(std::size_t{room} * stride);
   }
   /// One more record, for which there is room. What `mask` does not say is present is undefined.
   ig_value* add(std::uint64_t mask) {
@@ -68,11 +68,82 @@ struct ListData {
   }
   /// The memory stays allocated, up to what a copy of the block may cost.
   void clear() {
-    constexpr std::size_t most_kept = 128;
+    constexpr std::uint32_t most_kept = 128;
     count = 0;
-    if (present.size() <= most_kept) return;
-    present.resize(most_kept);
-    values.resize(most_kept * stride);
+    if (room > most_kept) make_room(most_kept);
+  }
+};
+
+/// For comparing ids of fields four at once.
+using FourFields [[gnu::vector_size(4 * sizeof(ig_field))]] = ig_field;
+inline FourFields four_fields(const ig_field* first) {
+  FourFields out;
+  std::memcpy(&out, first, sizeof out);
+  return out;
+}
+inline bool is_zero(const FourFields& ids) {
+  std::uint64_t halves[2];
+  std::memcpy(halves, &ids, sizeof halves);
+  return (halves[0] | halves[1]) == 0;
+}
+
+/// Are they the same ids? Few of them, four at once: a call of memcmp() would take longer.
+inline bool are_same(const ig_field* some, const ig_field* others, std::uint32_t count) {
+  if (count < 4) {
+    ig_field differences = 0;
+    for (std::uint32_t i = 0; i < count; ++i) differences |= some[i] ^ others[i];
+    return differences == 0;
+  }
+  FourFields differences = four_fields(some) ^ four_fields(others);
+  for (std::uint32_t i = 4; i + 4 < count; i += 4) differences |= four_fields(some + i) ^ four_fields(others + i);
+  const std::uint32_t last = count - 4;  // some of these are compared twice
+  return is_zero(differences | (four_fields(some + last) ^ four_fields(others + last)));
+}
+
+/// What was found out about the fields of a call, by the place where they stand; other fields may stand there later, or
+/// may share what a place has. A copy of a block begins without.
+template <class Found>
+class FoundByPlace {
+ public:
+  FoundByPlace() = default;
+  FoundByPlace(const FoundByPlace&) {}
+  FoundByPlace& operator=(const FoundByPlace&) { return *this; }
+  Found& at(const ig_field* fields) {
+    constexpr std::uint64_t mixes = 0x9e37'79b9'7f4a'7c15;  // all bits of an address into the upper ones
+    std::uint8_t& number = numbers_[reinterpret_cast<std::uintptr_t>(fields) * mixes >> 56];
+    if (number == none) [[unlikely]]
+      number = add();
+    return found_[number];
+  }
+
+ private:
+  [[gnu::cold, gnu::noinline]] std::uint8_t add() {
+    if (found_.size() < most) found_.emplace_back();
+    return static_cast<std::uint8_t>(next_++ % most);
+  }
+
+  static constexpr std::uint8_t none = 0xff;
+  static constexpr std::uint32_t most = 64;
+  std::array<std::uint8_t, 256> numbers_ = [] {
+    std::array<std::uint8_t, 256> out;
+    out.fill(none);
+    return out;
+  }();
+  std::uint32_t next_ = 0;
+  std::vector<Found> found_;
+};
+
+/// The fields of one call whose bits lie in one word, as those of one code mostly do.
+struct FieldGroup {
+  static constexpr std::uint32_t least_fields = 4, most_fields = 16;
+  std::uint32_t count = 0;  ///< 0: none was found yet
+  std::uint32_t word = 0;
+  std::uint64_t mask = 0;  ///< their bits; 0: they do not lie in one word, or one of them stands there twice
+  std::array<ig_field, most_fields> fields{};
+  std::array<std::uint8_t, 64> index{};  ///< of a field among these, by its bit
+
+  bool is(const ig_field* wanted, std::uint32_t wanted_count) const {
+    return count == wanted_count && are_same(fields.data(), wanted, wanted_count);
   }
 };
 
@@ -85,35 +156,8 @@ struct RecordShape {
   std::array<ig_field, most_fields> fields{};
 
   bool is(const ig_field* wanted, std::uint32_t wanted_count) const {
-    if (count != wanted_count || count > most_fields) return false;
-    // Few fields, two at once: a call of memcmp() would take longer.
-    std::uint64_t differences = 0;
-    std::uint32_t i = 0;
-    for (; i + 2 <= wanted_count; i += 2) differences |= pair(fields.data() + i) ^ pair(wanted + i);
-    if (i < wanted_count) differences |= fields[i] ^ wanted[i];
-    return differences == 0;
+    return count == wanted_count && count <= most_fields && are_same(fields.data(), wanted, wanted_count);
   }
-
- private:
-  static std::uint64_t pair(const ig_field* first) {
-    std::uint64_t out = 0;
-    std::memcpy(&out, first, sizeof out);
-    return out;
-  }
-};
-
-/// The shapes that were used last, by the place of their fields. A copy of a block begins without them.
-class RecordShapes {
- public:
-  RecordShapes() = default;
-  RecordShapes(const RecordShapes&) {}
-  RecordShapes& operator=(const RecordShapes&) { return *this; }
-  RecordShape& at(const ig_field* fields) {
-    return shapes_[reinterpret_cast<std::uintptr_t>(fields) / sizeof *fields % shapes_.size()];
-  }
-
- private:
-  std::array<RecordShape, 16> shapes_{};
 };
 
 struct Leftover {
@@ -178,6 +222,8 @@ class alignas(64) Document {
   void set_many(const ig_field* f, std::uint32_t count, const ig_value* v) { set_each<false>(f, count, v, 0); }
   /// Their values; a bit for each that is present.
   std::uint32_t get_many(const ig_field* f, std::uint32_t count, ig_value* out) const {
+    if (const FieldGroup* const group = group_of(f, count))
+      return get_each(*group, fields_.bits[group->word].present & group->mask, out);
     const State* const state = fields_.states.data();
     const Bits* const bits = fields_.bits.data();
     std::uint32_t known = 0;
@@ -188,6 +234,15 @@ class alignas(64) Document {
       known |= 1u << (i & 31);
     }
     return known;
+  }
+  /// The place among these fields of the only one that is present; none of them, or several, or not to be told at once.
+  enum : std::int32_t { none_present = -1, several_present = -2 };
+  std::int32_t only_present(const ig_field* f, std::uint32_t count) const {
+    const FieldGroup* const group = group_of(f, count);
+    if (group == nullptr) return several_present;
+    const std::uint64_t known = fields_.bits[group->word].present & group->mask;
+    if (known == 0) return none_present;
+    return (known & (known - 1)) == 0 ? group->index[std::countr_zero(known)] : std::int32_t{several_present};
   }
   /// Value, present, writer.
   void write(ig_field f, ig_value v) {
@@ -218,6 +273,15 @@ class alignas(64) Document {
 
   /// The same for several; a bit for each that was there.
   std::uint32_t take_many(const ig_field* f, std::uint32_t count, ig_value* out) {
+    if (const FieldGroup* const group = group_of(f, count)) {
+      Bits& bits = fields_.bits[group->word];
+      const std::uint64_t these = bits.present & group->mask;
+      if ((bits.watched & these) == 0) [[likely]] {
+        bits.present &= ~(these & ~bits.codes);
+        bits.taken |= these;
+        return get_each(*group, these, out);
+      }
+    }
     const State* const state = fields_.states.data();
     Bits* const all = fields_.bits.data();
     std::uint32_t taken = 0;
@@ -437,6 +501,27 @@ class alignas(64) Document {
   [[gnu::cold]] void wake_far(const std::uint64_t* woken);
   /// For fields that lie so many bytes apart.
   [[gnu::cold]] void wake_far_of(const ig_field* fields, std::size_t bytes, std::uint32_t count);
+  /// Null where the fields are few or many, or where their bits do not lie in one word.
+  const FieldGroup* group_of(const ig_field* f, std::uint32_t count) const {
+    if (count < FieldGroup::least_fields || count > FieldGroup::most_fields) return nullptr;
+    FieldGroup& group = groups_.at(f);
+    if (!group.is(f, count)) [[unlikely]]
+      find_group(f, count, group);
+    return group.mask != 0 ? &group : nullptr;
+  }
+  [[gnu::cold]] void find_group(const ig_field* f, std::uint32_t count, FieldGroup& out) const;
+  /// Of these bits of the group; a bit for each field in the order of the call.
+  std::uint32_t get_each(const FieldGroup& group, std::uint64_t these, ig_value* out) const {
+    const State* const state = fields_.states.data() + group.word * 64;
+    std::uint32_t known = 0;
+    for (; these != 0; these &= these - 1) {
+      const int bit = std::countr_zero(these);
+      const std::uint32_t i = group.index[bit];
+      out[i] = state[bit].value;
+      known |= 1u << i;
+    }
+    return known;
+  }
   bool is_watched(ig_field f) const { return (fields_.bits[f >> 6].watched >> (f & 63) & 1) != 0; }
   [[gnu::cold]] void compose();
   bool has_value(ig_field f, ig_value v) const {
@@ -558,7 +643,10 @@ class alignas(64) Document {
   std::string own_text_;
 
  public:
-  RecordShapes record_shapes;  // last: what every block touches lies together
+  FoundByPlace<RecordShape> record_shapes;  // last: what every block touches lies together
+
+ private:
+  mutable FoundByPlace<FieldGroup> groups_;
 };
 
 }  // namespace isogloss
