@@ -25,7 +25,7 @@ bool holds_control_characters(std::string_view text) {
   return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
 }
 
-/// Those of which something was noted. They are read from the last to the first, so that nothing may be kept of the
+/// Those that are not left to their turn. They are read from the last to the first, so that nothing may be kept of the
 /// block before.
 std::vector<Ahead> read_ahead(const Stand& stand, std::vector<TestBlock> blocks) {
   ChainSettings settings;
@@ -42,10 +42,13 @@ std::vector<Ahead> read_ahead(const Stand& stand, std::vector<TestBlock> blocks)
     bench.chain().notes = &before;
     bench.prepare(ahead.block);
     bench.chain().notes = &ahead.notes;
+    Document& d = bench.chain().document();
+    d.active[0] = d.active[1] = 0;
     ++bench.chain().builds;  // work of its own to the watch over calls that do not return
     bench.scan();
-    ahead.leftovers = bench.chain().document().leftovers;
-    if (!ahead.notes.line.is_left && ahead.notes.line.count > 0) out.push_back(std::move(ahead));
+    ahead.notes.sum_up(d);
+    ahead.leftovers = d.leftovers;
+    if (!ahead.notes.line.is_left) out.push_back(std::move(ahead));
   }
   std::reverse(out.begin(), out.end());
   bench.chain().notes = &before;

@@ -24,26 +24,9 @@ std::int32_t get_ahead(const ig_block* block, ig_field f, ig_value* out) {
   const Document& d = doc(block);
   const bool is_there = get<Mode::fast>(block, f, out) != 0;
   if (f < d.size() && d.is_modal(f) && !d.fresh(f)) {
-    LineNotes& notes = notes_of(block);
-    notes.line.has_read = true;
-    notes.add(f, is_there ? d.value(f) : ig_value{}, LineNotes::was_read | (is_there ? 0u : LineNotes::was_absent), 0);
+    notes_of(block).add(f, is_there, is_there ? d.value(f) : ig_value{});
   }
   return is_there ? 1 : 0;
-}
-
-void set_ahead(ig_block* block, ig_field f, ig_value v) {
-  const Document& d = doc(block);
-  if (f < d.size()) notes_of(block).add(f, v, LineNotes::is_value, d.current);
-  set<Mode::fast>(block, f, v);
-}
-
-void set_words_ahead(ig_block* block, const ig_word* words, std::uint32_t count) {
-  const Document& d = doc(block);
-  LineNotes& notes = notes_of(block);
-  for (const ig_word& w : std::span(words, count))
-    if (w.field < d.size())
-      notes.add(w.field, w.value, w.flags & std::uint32_t{IG_WORD_WITHOUT_POINT}, d.current, w.begin, w.end);
-  set_words<Mode::fast>(block, words, count);
 }
 
 std::int32_t in_turn_ahead(ig_block* block) {
@@ -62,8 +45,8 @@ constexpr ig_host make_table() {
   out.fresh_many = fresh_many<Mode::fast>;
   out.fresh_point = fresh_point<Mode::fast>;
   out.source = source;
-  out.set = set_ahead;
-  out.set_words = set_words_ahead;
+  out.set = set<Mode::fast>;
+  out.set_words = set_words<Mode::fast>;
   out.in_turn = in_turn_ahead;
   return out;
 }

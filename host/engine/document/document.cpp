@@ -261,6 +261,34 @@ void Document::find_group(const ig_field* f, std::uint32_t count, FieldGroup& ou
   }
 }
 
+bool Document::sum_up(Summary& out) const {
+  if (size_ > UINT16_MAX || codes_seen > UINT16_MAX) return false;
+  out.wakes[0] = active[0];
+  out.wakes[1] = active[1];
+  out.codes = static_cast<std::uint16_t>(codes_seen);
+  out.pieces = out.fields = 0;
+  const std::uint32_t last = has_far_words() ? words_ : far_begin_;
+  for (std::uint32_t w = 0; w < last; ++w) {
+    const Bits& bits = fields_.bits[w];
+    if (bits.fresh == 0) continue;
+    if (out.pieces == Summary::most_pieces) return false;
+    out.piece[out.pieces++] = {w, bits.fresh, bits.pointless};
+  }
+  auto* next = const_cast<Summary::Field*>(out.field());
+  for (std::uint32_t i = 0; i < out.pieces; ++i)
+    for (std::uint64_t open = out.piece[i].fields; open != 0; open &= open - 1) {
+      if (out.fields++ == Summary::most_fields) return false;
+      const std::uint64_t field = out.piece[i].word * 64 + static_cast<std::uint64_t>(std::countr_zero(open));
+      *next++ = {fields_.states[field].value, fields_.states[field].place | field << Summary::Field::field_at};
+    }
+  return true;
+}
+
+void Document::tell_changes(const Summary::Field* fields, std::uint32_t count) {
+  for (const Summary::Field& field : std::span(fields, count))
+    if (is_watched(field.id()) && !has_value(field.id(), field.value)) tell_change(field.id());
+}
+
 void Document::mark_pointless(ig_field f, bool pointless) {
   Bits& bits = fields_.bits[f >> 6];
   bits.pointless = pointless ? bits.pointless | bit(f) : bits.pointless & ~bit(f);

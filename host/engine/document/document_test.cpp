@@ -240,5 +240,81 @@ TEST_CASE("fields that are asked for at once answer as each of them does") {
       }
 }
 
+TEST_CASE("a block that gets a summary has what the words gave that it sums up") {
+  const ManyFields f;
+  const ig_field owned = f.owned - 199;
+  const std::vector<std::vector<ig_field>> texts{
+      {}, {f.word}, {f.code, f.word, f.code}, {f.word, owned + 3, f.word}, {f.code, f.word, owned + 70, f.owned},
+  };
+  std::vector<std::uint64_t> wake(f.layout.fields.size() * 2);
+  for (const ig_field field : {f.code, f.word, owned + 3, owned + 70, f.owned}) {
+    wake[field * 2] = std::uint64_t{1} << (field % 61);
+    wake[field * 2 + 1] = std::uint64_t{2} << (field % 13);
+  }
+  Document scanned(f.layout, wake, 2), given = scanned, one = scanned;
+  for (const std::vector<ig_field>& fields : texts) {
+    for (Document* d : {&scanned, &given, &one}) begin(*d);
+    std::vector<ig_word> words;
+    for (std::uint16_t i = 0; i < fields.size(); ++i)
+      words.push_back({fields[i],
+                       i,
+                       static_cast<std::uint16_t>(i + 1),
+                       {.number = 2.5 + i},
+                       i % 2 == 0 ? std::uint32_t{IG_WORD_WITHOUT_POINT} : 0u,
+                       0});
+    for (Document* d : {&scanned, &one}) {
+      d->current = 7;
+      for (const ig_word& w : words) d->set_word(w);
+    }
+    CAPTURE(fields);
+    Document::Summary summary;
+    REQUIRE(scanned.sum_up(summary));
+    CHECK(summary.bytes() <= sizeof summary);
+    given.set_summed(summary);
+    CHECK(given.same_content(one));
+    CHECK(given.codes_seen == one.codes_seen);
+    for (int k = 0; k < 2; ++k) CHECK(given.active[k] == one.active[k]);
+    for (const ig_field field : fields) {
+      CHECK(given.without_point(field) == one.without_point(field));
+      CHECK(given.word_begin(field) == one.word_begin(field));
+      CHECK(given.word_end(field) == one.word_end(field));
+      CHECK(given.writer(field) == 7);
+    }
+    begin(given);
+    begin(one);
+    CHECK(given.same_content(one));
+    CHECK_FALSE(given.has_leftovers());
+  }
+}
+
+TEST_CASE("a summary tells of watched fields that change, wakes what is far, and has a limit") {
+  const ManyFields f;
+  constexpr std::uint32_t wake_words = 3;
+  std::vector<std::uint64_t> wake(f.layout.fields.size() * wake_words);
+  wake[f.word * wake_words + 1] = wakes_beyond;
+  wake[f.word * wake_words + 2] = 5;
+  Document scanned(f.layout, wake, wake_words), given = scanned;
+  for (const ig_field field : {f.modal, f.modal + 65, f.word}) given.watch(field, std::uint64_t{1} << (field % 64));
+  begin(given);
+  given.set(f.modal, {.number = 1});
+  given.set(f.modal + 65, {.number = 1});
+  for (Document* d : {&scanned, &given}) begin(*d);
+  given.changes = 0;
+  scanned.set(f.modal, {.number = 1});
+  scanned.set(f.modal + 65, {.number = 2});
+  scanned.set_word({f.word, 0, 1, {.number = 3}, 0, 0});
+  Document::Summary summary;
+  REQUIRE(scanned.sum_up(summary));
+  given.set_summed(summary);
+  CHECK(given.changes == (std::uint64_t{1} << ((f.modal + 65) % 64) | std::uint64_t{1} << (f.word % 64)));
+  CHECK(given.number(f.modal + 65) == 2);
+  CHECK(given.active[2] == 5);
+  for (ig_field field = f.modal; field < f.modal + Document::Summary::most_fields; ++field) {
+    CHECK(scanned.sum_up(summary));
+    if (field > f.modal + 1) scanned.set(field, {.number = 1});
+  }
+  CHECK_FALSE(scanned.sum_up(summary));
+}
+
 }  // namespace
 }  // namespace isogloss

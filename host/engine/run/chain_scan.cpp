@@ -108,31 +108,16 @@ std::size_t Chain::scan() {
 /// Has this block the values that were read while its text was scanned ahead?
 bool Chain::has_read_values(const ScannedLine& line) const {
   const Document& d = document_;
-  for (const ig_word& w : std::span(line.notes(), line.count)) {
-    if ((w.flags & LineNotes::was_read) == 0) continue;
-    const bool was_there = (w.flags & LineNotes::was_absent) == 0;
-    if (d.present(w.field) != was_there || (was_there && d.value(w.field).integer != w.value.integer)) return false;
+  for (const ScannedLine::Read& read : std::span(line.read(), line.reads)) {
+    if (d.present(read.field) != (read.is_there != 0)) return false;
+    if (read.is_there != 0 && d.value(read.field).integer != read.value.integer) return false;
   }
   return true;
 }
 
 bool Chain::take_scanned(const ScannedLine& line) {
-  if (line.has_read && !has_read_values(line)) return false;
-  Document& d = document_;
-  const ig_word* const begin = line.notes();
-  const ig_word* const end = begin + line.count;
-  for (const ig_word* w = begin; w != end;) {
-    const ig_word* const first = w++;
-    d.current = static_cast<std::uint16_t>(first->reserved);
-    if (first->flags <= IG_WORD_WITHOUT_POINT) {
-      while (w != end && w->reserved == first->reserved && w->flags <= IG_WORD_WITHOUT_POINT) ++w;
-      d.set_words(first, static_cast<std::uint32_t>(w - first));
-    } else if ((first->flags & LineNotes::is_value) != 0) {
-      d.count_code(first->field);
-      d.set(first->field, first->value);
-    }
-  }
-  d.current = 0;
+  if (line.reads != 0 && !has_read_values(line)) return false;
+  document_.set_summed(line.summary());
   return true;
 }
 

@@ -49,6 +49,19 @@ class Cursor {
   /// From the beginning of another source; the buffer stays.
   void open(Source& source, std::size_t maximum_line_bytes, const Segmenter& segmenter);
   bool next(Line& line);
+  /// The same for a line of which it is known that its text has so many bytes and is joined to no other. False where
+  /// more has to be read, or where that cannot be: nothing has changed then.
+  bool next(Line& line, std::uint32_t size) {
+    if (skips_ || end_ - begin_ < size + std::size_t{2}) return false;
+    const char* const text = buffer_.data() + begin_;
+    const std::size_t last = size + (terminator_ == '\n' && text[size] == '\r' ? 1u : 0u);
+    if (text[last] != terminator_) return false;
+    line = {{text, size}, offset_, ++number_, 1, false};
+    begin_ += last + 1;
+    offset_ += last + 1;
+    bytes_ += last + 1;
+    return true;
+  }
   /// The next line is the one that begins at this offset.
   void seek(std::uint64_t offset, std::uint32_t number);
   bool is_utf16() const { return utf16_; }

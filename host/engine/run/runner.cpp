@@ -73,6 +73,12 @@ class Run final : StandingRun {
  private:
   bool next_line(Line& line) {
     Cursor& cursor = flow_.cursor();
+    if (ahead_ != nullptr && cursor.source() == scanned_ahead_)
+      if (const auto size = ahead_->size_at(cursor.offset());
+          size && *size <= widest_column && cursor.next(line, *size)) {
+        ++result_.lines;
+        return true;
+      }
     const bool has_line = cursor.next(line);
     if (cursor.has_failed()) [[unlikely]] {
       flow_.fail_to_read(cursor.next_number() - (has_line ? 1 : 0));

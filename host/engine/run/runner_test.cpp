@@ -382,6 +382,37 @@ TEST_CASE("how lines end does not depend on how many bytes a source gives at onc
   CHECK(lines_of("a\rb\nc") == Strings{"a\rb", "c"});
 }
 
+TEST_CASE("a line whose size is known is the one that would have been found") {
+  const Segmenter by_line{"line", {}, {}};
+  for (const std::string_view text : {"ab\n\ncd\r\ne\r\r\nfgh\n", "ab\rcd\r\re\r", "\xef\xbb\xbf\nab\ncd"}) {
+    const auto source = memory_source(text), again = memory_source(text);
+    Cursor cursor(*source, 1000, by_line), known(*again, 1000, by_line);
+    Line line, same;
+    CHECK_FALSE(known.next(same, 0));  // nothing has been read yet
+    std::size_t lines_of_known_size = 0;
+    while (cursor.next(line)) {
+      const auto size = static_cast<std::uint32_t>(line.text.size());
+      CAPTURE(text, line.number);
+      if (line.number > 1)
+        for (std::uint32_t less = 0; less < size; ++less) CHECK_FALSE(known.next(same, less));
+      // The end of the text stays for the other function: behind it may come more.
+      if (line.number > 1 && known.next(same, size))
+        ++lines_of_known_size;
+      else
+        REQUIRE(known.next(same));
+      CHECK(same.text == line.text);
+      CHECK(same.offset == line.offset);
+      CHECK(same.number == line.number);
+      CHECK(same.lines == 1);
+      CHECK_FALSE(same.truncated);
+      CHECK(known.offset() == cursor.offset());
+      CHECK(known.bytes() == cursor.bytes());
+    }
+    CHECK_FALSE(known.next(same, 0));
+    CHECK(lines_of_known_size > 0);
+  }
+}
+
 TEST_CASE("a line that is too long is cut, and the next one is whole") {
   bool truncated = false;
   const std::string longer(600'000, 'x');

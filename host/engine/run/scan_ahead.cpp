@@ -82,7 +82,7 @@ const ScannedLine* ScanAhead::find(const Line& line) {
   while (at_ < taken_.size || take_batch()) {
     const auto& found = *reinterpret_cast<const ScannedLine*>(taken_.bytes + at_);
     if (found.offset > line.offset) break;
-    at_ += sizeof found + found.count * sizeof(ig_word);
+    at_ += found.bytes();
     if (found.offset < line.offset) continue;
     ++hits_;
     misses_ = 0;
@@ -185,14 +185,14 @@ void ScanAhead::scan(const Line& line) {
     notes.leave();
   } else {
     chain_->begin_block({file_, line.number, 0, line.text, false});
+    Document& d = chain_->document();
+    d.active[0] = d.active[1] = 0;  // what its modal values wake is another matter than what the text does
     const bool is_whole = chain_->scan() == line.text.size() && !chain_->skip_rest && !chain_->ends_file;
-    if (!is_whole || !ignored_.all.empty() || !chain_->document().leftovers.empty()) notes.leave();
+    if (!is_whole || !ignored_.all.empty() || !d.leftovers.empty()) notes.leave();
     ignored_.all.clear();
   }
-  if (notes.line.is_left) {
-    notes.line.count = 0;
-    ++left_;
-  }
+  notes.sum_up(chain_->document());
+  if (notes.line.is_left) ++left_;
   ++scanned_;
   filling_.keep(notes);
 }

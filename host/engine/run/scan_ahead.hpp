@@ -22,6 +22,12 @@ class ScanAhead : FlowHost {
 
   /// What was found in this line; null: scan it. Alive until the next call.
   const ScannedLine* find(const Line& line);
+  /// The bytes of the text of the line that begins here, where it has been scanned: a line of its own, and not left.
+  std::optional<std::uint32_t> size_at(std::uint64_t offset) const {
+    if (at_ >= taken_.size) return std::nullopt;
+    const auto& next = *reinterpret_cast<const ScannedLine*>(taken_.bytes + at_);
+    return next.offset == offset && !next.is_left ? std::optional(next.size) : std::nullopt;
+  }
 
  private:
   /// Lines go from thread to thread by thousands of bytes: a byte that both use costs as much as many of its own.
@@ -34,9 +40,7 @@ class ScanAhead : FlowHost {
     bool has_room() const { return most_bytes - size >= sizeof(LineNotes); }
     /// Where the notes of the next line are written, while there is room.
     LineNotes& next() { return *::new (bytes + size) LineNotes; }
-    void keep(const LineNotes& next) {
-      size += static_cast<std::uint32_t>(sizeof(ScannedLine) + next.line.count * sizeof(ig_word));
-    }
+    void keep(const LineNotes& next) { size += static_cast<std::uint32_t>(next.line.bytes()); }
     void copy_from(const Batch& other);
   };
   static constexpr std::uint32_t batches = 8;

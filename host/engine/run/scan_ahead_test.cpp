@@ -187,7 +187,6 @@ TEST_CASE("lines are found again after jumps, back and forth") {
   for (const std::size_t first : {1u, 40'000u, 100u, 20'000u}) {
     const auto found = find_from(ahead, text, first);
     REQUIRE(found);
-    CHECK(found->count == 1);
     CHECK_FALSE(found->is_left);
   }
 }

@@ -383,6 +383,48 @@ class alignas(64) Document {
       wake_far_of(&first->field, sizeof *first, count);
   }
   void set_word(const ig_word& w) { set_words(&w, 1); }
+
+  /// What this block got since it began, to be given to the same block of another document at once.
+  struct Summary {
+    static constexpr std::uint32_t most_pieces = 8, most_fields = 64;
+    struct Piece {  ///< of the fields whose bits lie in one word
+      std::uint64_t word, fields, pointless;
+    };
+    struct Field {
+      ig_value value;
+      std::uint64_t place;  ///< as State's, with the field in its upper 16 bits
+      static constexpr int field_at = 48;
+      ig_field id() const { return static_cast<ig_field>(place >> field_at); }
+    };
+    std::uint64_t wakes[2];
+    std::uint16_t fields, codes;
+    std::uint32_t pieces;
+    Piece piece[most_pieces];  // directly behind those that are used lie the fields
+    Field room[most_fields];   // last: what is not used is not kept
+    const Field* field() const { return reinterpret_cast<const Field*>(piece + pieces); }
+    std::size_t bytes() const { return offsetof(Summary, piece) + pieces * sizeof(Piece) + fields * sizeof(Field); }
+  };
+  /// False where it got too much. Nothing was awake when the block began.
+  bool sum_up(Summary& out) const;
+  /// To a block that has only begun.
+  [[gnu::always_inline]] void set_summed(const Summary& summary) {
+    State* const state = fields_.states.data();
+    const Summary::Field* const fields = summary.field();
+    const Summary::Field* const end = fields + summary.fields;
+    for (const Summary::Piece *p = summary.piece, *const last = p + summary.pieces; p != last; ++p) {
+      Bits& bits = fields_.bits[p->word];
+      if ((bits.watched & p->fields) != 0) [[unlikely]]
+        tell_changes(fields, summary.fields);
+      bits.write(p->fields);
+      bits.pointless = p->pointless;
+    }
+    for (const Summary::Field* f = fields; f != end; ++f) state[f->id()] = {f->value, f->place << 16 >> 16};
+    active[0] |= summary.wakes[0];
+    active[1] |= summary.wakes[1];
+    codes_seen = summary.codes;
+    if ((summary.wakes[1] & wakes_beyond) != 0) [[unlikely]]
+      for (const Summary::Field* f = fields; f != end; ++f) wake_far(wake_ + std::size_t{f->id()} * wake_words_);
+  }
   void rewrite(ig_field f, ig_value v);
   /// From now on every change of the field adds these bits to `changes`.
   void watch(ig_field f, std::uint64_t changes);
@@ -528,6 +570,8 @@ class alignas(64) Document {
     return (fields_.bits[f >> 6].present & bit(f)) != 0 && fields_.states[f].value.integer == v.integer;
   }
   [[gnu::cold]] void tell_change(ig_field f);
+  /// Of those that are watched and get another value.
+  [[gnu::cold]] void tell_changes(const Summary::Field* fields, std::uint32_t count);
   [[gnu::cold]] void change_watched(ig_field f, ig_value v);
   /// From the one on where a watched field changes. Those before it are set, but do not yet wake what is far.
   [[gnu::cold]] void change_many(const ig_field* f, std::uint32_t count, const ig_value* v, std::uint32_t first);

@@ -9,41 +9,48 @@
 
 namespace isogloss {
 
-/// A line that was scanned ahead. What was noted of it lies directly behind.
+/// A line that was scanned ahead. Directly behind lie the values that its scanners have read, and what they found.
 struct ScannedLine {
   std::uint64_t offset = 0;  ///< in the source
   std::uint32_t size = 0;    ///< bytes of its text
-  std::uint16_t count = 0;   ///< notes
-  bool is_left = false;      ///< to its turn: more than its text decides what is found
-  bool has_read = false;     ///< a value that is carried from the blocks before
-  const ig_word* notes() const { return reinterpret_cast<const ig_word*>(this + 1); }
+  std::uint16_t reads = 0;   ///< values
+  bool is_left = false;      ///< to its turn, with nothing behind: more than its text decides what is found
+
+  /// A value that is carried from the blocks before, which it has to be in its turn, too; or that this field has none.
+  struct Read {
+    ig_value value;
+    ig_field field;
+    std::uint32_t is_there;
+  };
+  const Read* read() const { return reinterpret_cast<const Read*>(this + 1); }
+  const Document::Summary& summary() const { return *reinterpret_cast<const Document::Summary*>(read() + reads); }
+  std::size_t bytes() const { return sizeof *this + (is_left ? 0 : reads * sizeof(Read) + summary().bytes()); }
 };
 
-/// The notes of the line that is being scanned: words, each with the chain position + 1 of its scanner as `reserved`.
+/// What is noted of the line that is being scanned.
 struct LineNotes {
-  static constexpr std::uint16_t most = 32;
-  /// In `flags`: a value in place of a word; or a value that the scan has read, carried from the blocks before, which
-  /// it has to be in its turn, too; or that this field has none.
-  static constexpr std::uint32_t is_value = 1u << 31, was_read = 1u << 30, was_absent = 1u << 29;
+  static constexpr std::uint16_t most_reads = 32;
 
   ScannedLine line;
-  std::array<ig_word, most> words;
+  std::array<ScannedLine::Read, most_reads> reads;
+  Document::Summary room;  ///< the summary lies directly behind what was read
 
   void leave() { line.is_left = true; }
-  /// Member by member: a word that is put together elsewhere is copied in larger pieces, and waits for smaller ones.
-  void add(ig_field field, ig_value value, std::uint32_t flags, std::uint16_t scanner, std::uint16_t begin = 0,
-           std::uint16_t end = 0) {
-    if (line.count == most) return leave();
-    ig_word& word = words[line.count++];
-    word.field = field;
-    word.begin = begin;
-    word.end = end;
-    word.value = value;
-    word.flags = flags;
-    word.reserved = scanner;
+  /// Member by member: what is put together elsewhere is copied in larger pieces, and waits for smaller ones.
+  void add(ig_field field, bool is_there, ig_value value) {
+    if (line.reads == most_reads) return leave();
+    ScannedLine::Read& read = reads[line.reads++];
+    read.value = value;
+    read.field = field;
+    read.is_there = is_there ? 1 : 0;
+  }
+  /// When the whole line has been scanned into this document, in which nothing was awake before.
+  void sum_up(const Document& document) {
+    if (!line.is_left && !document.sum_up(*::new (reads.data() + line.reads) Document::Summary)) leave();
   }
 };
-static_assert(offsetof(LineNotes, words) == sizeof(ScannedLine));
+static_assert(offsetof(LineNotes, reads) == sizeof(ScannedLine) &&
+              offsetof(LineNotes, room) == sizeof(ScannedLine) + sizeof(LineNotes::reads));
 
 /// For ChainSettings::host of a chain that scans ahead. What it scans is noted in Chain::notes.
 const ig_host& ahead_table();
