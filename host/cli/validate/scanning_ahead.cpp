@@ -43,7 +43,7 @@ std::vector<Ahead> read_ahead(const Stand& stand, std::vector<TestBlock> blocks)
     bench.prepare(ahead.block);
     bench.chain().notes = &ahead.notes;
     Document& d = bench.chain().document();
-    d.active[0] = d.active[1] = 0;
+    d.wake_none();
     ++bench.chain().builds;  // work of its own to the watch over calls that do not return
     bench.scan();
     ahead.notes.sum_up(d);

@@ -316,5 +316,21 @@ TEST_CASE("a summary tells of watched fields that change, wakes what is far, and
   CHECK_FALSE(scanned.sum_up(summary));
 }
 
+TEST_CASE("a summary holds the values of a chain without words") {
+  Layout layout;
+  for (int i = 0; i < 200; ++i)
+    layout.fields.push_back({"Test.V" + std::to_string(i), IG_NUMBER, IG_LIFE_BLOCK, "", "", false, IG_NO_FIELD});
+  layout.index();
+  Document scanned(layout, std::vector<std::uint64_t>(layout.fields.size() * 2), 2), given = scanned;
+  for (Document* d : {&scanned, &given}) begin(*d);
+  scanned.set(3, {.number = 1});
+  scanned.set(190, {.number = 2});
+  Document::Summary summary;
+  REQUIRE(scanned.sum_up(summary));
+  given.set_summed(summary);
+  CHECK(given.same_content(scanned));
+  CHECK(given.number(190) == 2);
+}
+
 }  // namespace
 }  // namespace isogloss

@@ -8,6 +8,23 @@
 using namespace isogloss;
 using namespace isogloss::test;
 
+namespace {
+
+/// A chain of one plugin's syntaxes that links.
+struct LinkedHand {
+  LinkedHand(Hand& hand, Plugin& plugin) {
+    library.add(plugin.get());
+    DiagnosticList found;
+    linked = link(hand.dialect, library, found, LinkMode::whole);
+    REQUIRE(linked != nullptr);
+  }
+  Library library{{}};
+  std::unique_ptr<LinkedDialect> linked;
+  const Layout& layout() const { return linked->layout; }
+};
+
+}  // namespace
+
 TEST_CASE("one field has one type and one life, also across plugins") {
   Plugin one("one"), two("two");
   one.syntax("Number").fields = {field("Acme.Level", IG_WRITE, IG_NUMBER, IG_LIFE_MODAL)};
@@ -56,14 +73,10 @@ TEST_CASE("a pattern of the syntax itself finds the words of codes of one kind")
   Hand hand{"p"};
   hand.add("Family");
   hand.add("Cycles");
-  Library library({});
-  library.add(plugin.get());
-  DiagnosticList found;
-  const auto linked = link(hand.dialect, library, found, LinkMode::whole);
-  REQUIRE(linked != nullptr);
-  const std::vector<ig_field>& ids = linked->chain[0].expansions.at(0);
+  const LinkedHand chain(hand, plugin);
+  const std::vector<ig_field>& ids = chain.linked->chain[0].expansions.at(0);
   REQUIRE(ids.size() == 1);
-  CHECK(linked->layout.fields[ids[0]].path == "Parsing.G181.X");
+  CHECK(chain.layout().fields[ids[0]].path == "Parsing.G181.X");
 }
 
 TEST_CASE("a chain that asks for too many fields of the block before does not link") {
@@ -119,12 +132,8 @@ TEST_CASE("X Y Z of a section lie side by side in one word of bits, and so do th
       fields.push_back(field(paths[static_cast<std::size_t>(i)].c_str(), IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_MODAL));
     Hand hand{"p"};
     hand.add("Remembers");
-    Library library({});
-    library.add(plugin.get());
-    DiagnosticList found;
-    const auto linked = link(hand.dialect, library, found);
-    REQUIRE(linked);
-    const Layout& layout = linked->layout;
+    const LinkedHand chain(hand, plugin);
+    const Layout& layout = chain.layout();
     const auto copy_of = [&](ig_field f) {
       ig_field copy = 0;
       while (copy < layout.fields.size() && layout.fields[copy].previous_of != f) ++copy;
@@ -148,10 +157,9 @@ TEST_CASE("the words of each code have their bits in one word, and points stay w
   Plugin plugin("p");
   Syntax& some = plugin.syntax("Some");
   Syntax& others = plugin.syntax("Others");
-  std::deque<std::string> paths;
+  std::deque<std::string> paths;  // they stay where they are
   const auto add = [&](Syntax& to, const std::string& path, std::uint32_t access, ig_type type = IG_NUMBER) {
-    paths.push_back(path);
-    to.fields.push_back(field(paths.back().c_str(), access, type));
+    to.fields.push_back(field(paths.emplace_back(path).c_str(), access, type));
   };
   for (int code = 1; code <= 40; ++code) {  // all X Y Z first, so that the words of one code are mentioned apart
     const std::string path = "Parsing.G" + std::to_string(900 + code);
@@ -164,12 +172,8 @@ TEST_CASE("the words of each code have their bits in one word, and points stay w
   Hand hand{"p"};
   hand.add("Some");
   hand.add("Others");
-  Library library({});
-  library.add(plugin.get());
-  DiagnosticList found;
-  const auto linked = link(hand.dialect, library, found, LinkMode::whole);
-  REQUIRE(linked != nullptr);
-  const Layout& layout = linked->layout;
+  const LinkedHand chain(hand, plugin);
+  const Layout& layout = chain.layout();
   std::size_t apart = 0;
   for (int code = 1; code <= 40; ++code) {
     const std::string path = "Parsing.G" + std::to_string(900 + code) + ".";

@@ -59,24 +59,29 @@ void keep_points_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers
 }
 
 /// The words of one code, which are mostly read and taken at once, have their bits in one word where there is room: the
-/// largest of those that fit into the rest of a word comes next.
+/// largest of those that fit into the rest of a word comes next, and where none does the smallest one.
 void keep_codes_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers, std::size_t first_id) {
-  std::vector<std::vector<std::uint32_t>> groups;
-  std::unordered_map<std::string_view, std::size_t> group_of;
+  constexpr std::size_t word = 64;
+  std::vector<std::vector<std::uint32_t>> codes;
+  std::unordered_map<std::string_view, std::size_t> place_of;
   for (const std::uint32_t number : numbers) {
     const std::string_view path = drafts[number].info.path;
-    const auto [found, is_new] = group_of.try_emplace(path.substr(0, path.rfind('.')), groups.size());
-    if (is_new) groups.emplace_back();
-    groups[found->second].push_back(number);
+    const auto [found, is_new] = place_of.try_emplace(path.substr(0, path.rfind('.')), codes.size());
+    if (is_new) codes.emplace_back();
+    codes[found->second].push_back(number);
   }
+  std::array<std::vector<std::size_t>, word + 1> by_size;  // the code that is mentioned first is the last one
+  for (std::size_t place = codes.size(); place-- > 0;) by_size[std::min(codes[place].size(), word)].push_back(place);
   numbers.clear();
-  while (!groups.empty()) {
-    const std::size_t room = 64 - (first_id + numbers.size()) % 64;
-    const auto size = [room](const std::vector<std::uint32_t>& g) { return g.size() <= room ? g.size() : 0; };
-    const auto next = std::max_element(groups.begin(), groups.end(),
-                                       [&size](const auto& a, const auto& b) { return size(a) < size(b); });
-    numbers.insert(numbers.end(), next->begin(), next->end());
-    groups.erase(next);
+  for (std::size_t left = codes.size(); left > 0; --left) {
+    const std::size_t room = word - (first_id + numbers.size()) % word;
+    std::size_t size = room;
+    while (size > 0 && by_size[size].empty()) --size;
+    if (size == 0)
+      for (size = room + 1; by_size[size].empty();) ++size;
+    const std::vector<std::uint32_t>& code = codes[by_size[size].back()];
+    numbers.insert(numbers.end(), code.begin(), code.end());
+    by_size[size].pop_back();
   }
 }
 

@@ -14,6 +14,21 @@ namespace {
 
 thread_local const Document* running = nullptr;
 
+// Nearly all chains have two such words: a call for so few takes longer than to write them.
+
+inline void clear_awake(std::uint64_t* words, std::uint32_t count) {
+  words[0] = words[1] = 0;
+  if (count > 2) [[unlikely]]
+    std::fill(words + 2, words + count, 0);
+}
+
+inline void copy_awake(const std::uint64_t* words, std::uint32_t count, std::uint64_t* to) {
+  to[0] = words[0];
+  to[1] = words[1];
+  if (count > 2) [[unlikely]]
+    std::copy(words + 2, words + count, to + 2);
+}
+
 }  // namespace
 
 Chain::Interlude::Interlude() : before_(running) {}
@@ -129,15 +144,12 @@ void Chain::look_at_state() {
   const std::uint64_t changes = document_.changes;
   if (changes != changing_) {
     changing_ = changes;
-    clear(awake_by_rest_);
+    clear_awake(awake_by_rest_, linked_.wake_words);
     for (std::size_t i = 0; i < watches_.size(); ++i)
       for (std::size_t k = 0; k < linked_.wake_words && (changes & change_of(i)) == 0; ++k)
         awake_by_rest_[k] |= watches_[i].awake[k];
   }
-  awake_by_state_[0] = awake_by_rest_[0];
-  awake_by_state_[1] = awake_by_rest_[1];
-  if (linked_.wake_words > 2) [[unlikely]]
-    std::copy(awake_by_rest_ + 2, awake_by_rest_ + linked_.wake_words, awake_by_state_ + 2);
+  copy_awake(awake_by_rest_, linked_.wake_words, awake_by_state_);
   document_.changes = 0;
   passing_ = always_;
   for (std::uint64_t open = changes; open != 0; open &= open - 1) {
@@ -147,15 +159,8 @@ void Chain::look_at_state() {
   }
 }
 
-/// Nearly all chains have two words: a call for so few takes longer than to write them.
-inline void Chain::clear(std::uint64_t* awake) const {
-  awake[0] = awake[1] = 0;
-  if (linked_.wake_words > 2) [[unlikely]]
-    std::fill(awake + 2, awake + linked_.wake_words, 0);
-}
-
 void Chain::look_at(Watch& watch, std::uint64_t change) {
-  clear(watch.awake);
+  clear_awake(watch.awake, linked_.wake_words);
   if (!document_.present(watch.field)) return;
   if (!watch.is_modal) passing_ |= change;
   const std::uint64_t value = document_.value(watch.field).symbol;

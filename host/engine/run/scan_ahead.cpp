@@ -186,7 +186,7 @@ void ScanAhead::scan(const Line& line) {
   } else {
     chain_->begin_block({file_, line.number, 0, line.text, false});
     Document& d = chain_->document();
-    d.active[0] = d.active[1] = 0;  // what its modal values wake is another matter than what the text does
+    d.wake_none();
     const bool is_whole = chain_->scan() == line.text.size() && !chain_->skip_rest && !chain_->ends_file;
     if (!is_whole || !ignored_.all.empty() || !d.leftovers.empty()) notes.leave();
     ignored_.all.clear();

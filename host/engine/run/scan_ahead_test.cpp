@@ -59,8 +59,35 @@ std::size_t scan_in_turn(void* self, const ig_host* host, ig_block* block, const
   return at + 1;
 }
 
+/// X8 ends the level, and X9 sets it: the thread that scans ahead sees neither.
+ig_status change_level(void* self, const ig_host* host, ig_block* block) {
+  const Ids& ids = *static_cast<Ids*>(self);
+  ig_value x{};
+  if (host->get(block, ids.x, &x) == 0 || x.number < 8) return IG_UNCHANGED;
+  if (x.number == 8)
+    host->erase(block, ids.level);
+  else
+    host->set(block, ids.level, {.number = 4});
+  return IG_CHANGED;
+}
+
+/// Awake while there is a level.
+ig_status show_level(void* self, const ig_host* host, ig_block* block) {
+  host->set(block, static_cast<Ids*>(self)->seen, {.number = 1});
+  return IG_CHANGED;
+}
+
 struct Fixture {
   explicit Fixture(bool scans_ahead = true) : library({}) {
+    const auto add_build = [this](const char* name, ig_run_fn build, std::uint32_t of_x, std::uint32_t of_level) {
+      auto& syntax = plugin.syntax(name);
+      syntax.fields = {test::field("Parsing.X", of_x, IG_NUMBER, IG_LIFE_WORD),
+                       test::field("Test.Level", of_level, IG_NUMBER, IG_LIFE_MODAL),
+                       test::field("Test.HasLevel", IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK)};
+      syntax.out.create = create;
+      syntax.out.destroy = destroy;
+      syntax.out.build = build;
+    };
     for (const char* const name : {"Reader", "Other"}) {
       auto& syntax = plugin.syntax(name);
       syntax.fields = {test::field("Parsing.X", IG_WRITE, IG_NUMBER, IG_LIFE_WORD),
@@ -70,6 +97,8 @@ struct Fixture {
       syntax.out.destroy = destroy;
       syntax.out.build = nullptr;
     }
+    add_build("Shower", show_level, IG_READ, IG_READ | IG_WAKE_WHILE);
+    add_build("Changer", change_level, IG_READ | IG_WAKE, IG_READ | IG_WRITE);
     ig_syntax &reader = plugin.syntaxes[0].out, &other = plugin.syntaxes[1].out;
     reader.triggers = "XLR!T";
     reader.scan = scan;
@@ -82,7 +111,9 @@ struct Fixture {
     dialect.name = "test";
     dialect.plugins = {{plugin.get()->name, {}}};
     dialect.chain = {{Stage::parsing, "Reader", "Reader", {}, false, {}},
-                     {Stage::parsing, "Other", "Other", {}, false, {}}};
+                     {Stage::parsing, "Other", "Other", {}, false, {}},
+                     {Stage::logic, "Shower", "Shower", {}, false, {}},
+                     {Stage::logic, "Changer", "Changer", {}, false, {}}};
     linked = link(dialect, library, diagnostics);
     diagnostics.all.clear();
     thread_of_test = std::this_thread::get_id();
@@ -147,7 +178,10 @@ TEST_CASE("a run whose lines are scanned ahead gives what it gives alone") {
   CHECK(alone.all == helped.all);
   CHECK(said_alone.all.size() == said_helped.all.size());
   CHECK(!said_alone.all.empty());
-  CHECK(alone.all.find("\"Seen\":19") != std::string::npos);
+  CHECK(alone.all.find("\"Seen\":19") != std::string::npos);  // a level of the text
+  CHECK(alone.all.find("\"Seen\":14") != std::string::npos);  // one that build() has set
+  CHECK(alone.all.find("\"Seen\":-1") != std::string::npos);  // none
+  CHECK(alone.all.find("\"HasLevel\":1") != std::string::npos);
 }
 
 TEST_CASE("only scanners that say so are asked ahead") {

@@ -215,7 +215,6 @@ class Chain {
   void watch_modal_state();
   void look_at_state();
   void look_at(Watch& watch, std::uint64_t change);
-  void clear(std::uint64_t* awake) const;
   /// A bit of Document::changes; the watches beyond share the last one.
   static constexpr std::size_t last_change = 63;
   static std::uint64_t change_of(std::size_t watch) { return std::uint64_t{1} << std::min(watch, last_change); }

@@ -44,7 +44,7 @@ struct LineNotes {
     read.field = field;
     read.is_there = is_there ? 1 : 0;
   }
-  /// When the whole line has been scanned into this document, in which nothing was awake before.
+  /// When the whole line has been scanned into this document, after Document::wake_none().
   void sum_up(const Document& document) {
     if (!line.is_left && !document.sum_up(*::new (reads.data() + line.reads) Document::Summary)) leave();
   }
