@@ -1,37 +1,99 @@
 #include "document/document_shape.hpp"
 
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
 namespace isogloss {
 
 namespace {
 
 constexpr std::string_view frames_prefix = "ProgramToMcTransform.";
 
-ShapeNode& child_of(std::vector<ShapeNode>& nodes, std::string_view name) {
-  const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const ShapeNode& n) { return n.name == name; });
-  if (found != nodes.end()) return *found;
-  nodes.push_back({});
-  nodes.back().name = name;
-  return nodes.back();
-}
+/// The tree while it is made. The names are those of the layout, which outlives it.
+class Drafts {
+ public:
+  static constexpr std::size_t root = 0;
 
-/// The node that a path leads to, made on the way. A code keeps its decimals in one name.
-ShapeNode& node_at(std::vector<ShapeNode>& nodes, std::string_view path) {
-  std::vector<ShapeNode>* level = &nodes;
-  while (true) {
-    // The longest name wins: a code with decimals may stand beside the one without.
-    ShapeNode* code = nullptr;
-    for (ShapeNode& node : *level) {
-      if (node.kind != ShapeNode::Kind::code || !path.starts_with(node.name)) continue;
-      if (path.size() == node.name.size()) return node;
-      if (path[node.name.size()] == '.' && (code == nullptr || node.name.size() > code->name.size())) code = &node;
-    }
-    if (code != nullptr) return node_at(code->children, path.substr(code->name.size() + 1));
-    const std::size_t point = path.find('.');
-    if (point == std::string_view::npos) return child_of(*level, path);
-    level = &child_of(*level, path.substr(0, point)).children;
-    path.remove_prefix(point + 1);
+  explicit Drafts(std::size_t paths) {
+    drafts_.reserve(2 * paths + 8);
+    drafts_.emplace_back();
+    by_name_.reserve(2 * paths + 8);
   }
-}
+
+  ShapeNode& operator[](std::size_t node) { return drafts_[node].node; }
+
+  /// Made where it is not there yet.
+  std::size_t child(std::size_t parent, std::string_view name) {
+    const auto [found, is_new] = by_name_.try_emplace({parent, name}, drafts_.size());
+    if (is_new) {
+      drafts_.emplace_back().node.name = name;
+      drafts_[parent].children.push_back(found->second);
+    }
+    return found->second;
+  }
+  std::size_t code(std::size_t parent, std::string_view name) {
+    drafts_[parent].has_codes = true;
+    return child(parent, name);
+  }
+
+  /// The node that a path leads to, made on the way. A code keeps its decimals in one name.
+  std::size_t at(std::size_t parent, std::string_view path) {
+    while (true) {
+      const std::size_t code = drafts_[parent].has_codes ? longest_code(parent, path) : none;
+      const std::size_t point = code != none ? drafts_[code].node.name.size() : path.find('.');
+      parent = code != none ? code : child(parent, path.substr(0, point));
+      if (point >= path.size()) return parent;
+      path.remove_prefix(point + 1);
+    }
+  }
+
+  /// The children of a node, with all that is below them.
+  std::vector<ShapeNode> take_children(std::size_t parent) {
+    std::vector<ShapeNode> out;
+    out.reserve(drafts_[parent].children.size());
+    for (const std::size_t i : drafts_[parent].children) {
+      ShapeNode& node = out.emplace_back(std::move(drafts_[i].node));
+      if (drafts_[i].children.empty()) continue;
+      std::vector<ShapeNode> below = take_children(i);
+      node.children.insert(node.children.end(), std::make_move_iterator(below.begin()),
+                           std::make_move_iterator(below.end()));
+    }
+    return out;
+  }
+
+ private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  struct Draft {
+    ShapeNode node{};
+    std::vector<std::size_t> children{};
+    bool has_codes = false;
+  };
+  struct Name {
+    std::size_t parent;
+    std::string_view name;
+    bool operator==(const Name&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Name& n) const {
+      return std::hash<std::string_view>()(n.name) + n.parent * 0x9e3779b97f4a7c15u;
+    }
+  };
+
+  /// A code with decimals may stand beside the one without.
+  std::size_t longest_code(std::size_t parent, std::string_view path) const {
+    for (std::size_t end = path.size(); end != 0 && end != std::string_view::npos; end = path.rfind('.', end - 1)) {
+      const auto found = by_name_.find({parent, path.substr(0, end)});
+      if (found != by_name_.end() && drafts_[found->second].node.kind == ShapeNode::Kind::code) return found->second;
+    }
+    return none;
+  }
+
+  std::vector<Draft> drafts_;
+  std::unordered_map<Name, std::size_t, Hash> by_name_;
+};
 
 void add_mask(std::vector<ShapeNode::Mask>& masks, std::uint32_t word, std::uint64_t bits) {
   for (ShapeNode::Mask& m : masks) {
@@ -89,43 +151,43 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c
 
 std::vector<ShapeNode> document_shape(const Layout& layout) {
   using enum ShapeNode::Kind;
-  std::vector<ShapeNode> sections;
-  child_of(sections, "Source");
-  child_of(sections, "UnparsedText").kind = unparsed;
-  ShapeNode& parsing = child_of(sections, "Parsing");
-  child_of(parsing.children, "Flags").kind = flags;
-  std::vector<ig_field> owners;
-  for (ig_field f = 0; f < layout.fields.size(); ++f)
-    if (!layout.fields[f].hidden && is_owner(layout.fields[f])) owners.push_back(f);
+  Drafts drafts(layout.fields.size() + layout.lists.size());
+  drafts.child(Drafts::root, "Source");
+  drafts[drafts.child(Drafts::root, "UnparsedText")].kind = unparsed;
+  const std::size_t parsing = drafts.child(Drafts::root, "Parsing");
+  drafts[drafts.child(parsing, "Flags")].kind = flags;
   // The words that stand for themselves come before the codes that own some.
   for (const ig_field f : layout.shown) {
     const std::string_view path = layout.fields[f].path;
     if (!path.starts_with(parsing_prefix) || path.find('.', parsing_prefix.size()) != std::string_view::npos) continue;
-    if (shows_as_value(layout.fields[f])) child_of(parsing.children, path.substr(parsing_prefix.size()));
+    if (shows_as_value(layout.fields[f])) drafts.child(parsing, path.substr(parsing_prefix.size()));
   }
-  for (const ig_field f : owners) {
-    ShapeNode& node = child_of(parsing.children, std::string_view(layout.fields[f].path).substr(parsing_prefix.size()));
+  for (ig_field f = 0; f < layout.fields.size(); ++f) {
+    const FieldInfo& info = layout.fields[f];
+    if (info.hidden || !is_owner(info)) continue;
+    ShapeNode& node = drafts[drafts.code(parsing, std::string_view(info.path).substr(parsing_prefix.size()))];
     node.kind = code;
     node.field = f;
   }
   for (const ig_field f : layout.shown) {
     if (!shows_as_value(layout.fields[f])) continue;
-    ShapeNode& node = node_at(sections, layout.fields[f].path);
+    ShapeNode& node = drafts[drafts.at(Drafts::root, layout.fields[f].path)];
     node.kind = field;
     node.field = f;
   }
   for (std::size_t i = 0; i < layout.lists.size(); ++i) {
-    ShapeNode& node = node_at(sections, layout.lists[i].path);
+    ShapeNode& node = drafts[drafts.at(Drafts::root, layout.lists[i].path)];
     node.kind = list;
     node.field = static_cast<ig_field>(i);
     node.children = record_shape(layout.lists[i]);
   }
-  ShapeNode& frames = child_of(sections, frames_prefix.substr(0, frames_prefix.size() - 1));
-  frames.kind = transforms;
-  frames.children.clear();
+  const std::string_view frames = frames_prefix.substr(0, frames_prefix.size() - 1);
+  drafts[drafts.child(Drafts::root, frames)].kind = transforms;
+  std::vector<ShapeNode> sections = drafts.take_children(Drafts::root);
   std::stable_sort(sections.begin(), sections.end(),
                    [](const ShapeNode& a, const ShapeNode& b) { return rank(a.name) < rank(b.name); });
   for (ShapeNode& s : sections) {
+    if (s.name == frames) s.children.clear();
     collect_fields(s);
     s.is_parsing = s.name == "Parsing";
     if (!s.is_parsing) continue;
@@ -136,13 +198,14 @@ std::vector<ShapeNode> document_shape(const Layout& layout) {
 }
 
 std::vector<ShapeNode> record_shape(const ListInfo& list) {
-  std::vector<ShapeNode> nodes;
+  Drafts drafts(list.fields.size());
   for (std::size_t i = 0; i < list.fields.size(); ++i) {
     if (list.fields[i].hidden || list.fields[i].type == IG_TEXT) continue;
-    ShapeNode& node = node_at(nodes, list.fields[i].path);
+    ShapeNode& node = drafts[drafts.at(Drafts::root, list.fields[i].path)];
     node.kind = ShapeNode::Kind::field;
     node.field = static_cast<ig_field>(i);
   }
+  std::vector<ShapeNode> nodes = drafts.take_children(Drafts::root);
   for (ShapeNode& node : nodes) collect_fields(node);
   return nodes;
 }
