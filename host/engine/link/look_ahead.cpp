@@ -10,6 +10,11 @@ bool LookAhead::ends_at(const Document& block) const {
   return std::any_of(ends.begin(), ends.end(), [&block](ig_field f) { return block.present(f); });
 }
 
+bool LookAhead::is_satisfied_by(std::span<Document* const> following) const {
+  return following.size() >= blocks ||
+         std::any_of(following.begin(), following.end(), [this](const Document* d) { return ends_at(*d); });
+}
+
 void find_look_ahead(LinkedDialect& linked) {
   for (std::uint32_t position = linked.first_build; position < linked.chain.size(); ++position) {
     const LinkedSyntax& s = linked.chain[position];

@@ -236,12 +236,9 @@ bool Chain::call_looking_ahead(Document& d, std::uint32_t position, std::uint32_
 }
 
 bool Chain::sees_enough(std::uint32_t position) const {
-  for (const LookAhead& looking : linked_.look_ahead) {
-    if (looking.position != position) continue;
-    const auto ends = [&looking](const Document* d) { return looking.ends_at(*d); };
-    return window.size() >= looking.blocks || std::any_of(window.begin(), window.end(), ends);
-  }
-  return true;
+  return std::all_of(linked_.look_ahead.begin(), linked_.look_ahead.end(), [&](const LookAhead& looking) {
+    return looking.position != position || looking.is_satisfied_by(window);
+  });
 }
 
 Chain::Reach Chain::reach(std::uint32_t first, std::uint32_t last) const {

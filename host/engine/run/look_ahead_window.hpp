@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -52,10 +53,12 @@ class LookAheadWindow {
   std::size_t size() const { return waiting_; }
 
   Entry& add(const Document& d, std::uint32_t resume_at, std::vector<Diagnostic> said) {
-    if (entries_.size() == waiting_)
+    if (entries_.size() == waiting_) {
       entries_.push_back(std::make_unique<Entry>(d));
-    else
-      entries_[waiting_]->document = d;
+      documents_.push_back(&entries_.back()->document);
+    } else {
+      *documents_[waiting_] = d;
+    }
     Entry& e = *entries_[waiting_++];
     e.document.own_source();
     e.resume_at = resume_at;
@@ -67,33 +70,29 @@ class LookAheadWindow {
   bool is_complete() const {
     return std::none_of(linked_.look_ahead.begin(), linked_.look_ahead.end(), [this](const LookAhead& looking) {
       const Entry& e = oldest();
-      return looking.position >= e.resume_at && chain_.is_awake(e.document, looking.position) && !has_enough(looking);
+      return looking.position >= e.resume_at && chain_.is_awake(e.document, looking.position) &&
+             !looking.is_satisfied_by(following());
     });
   }
   Entry& oldest() { return *entries_.front(); }
   const Entry& oldest() const { return *entries_.front(); }
   /// The blocks after the oldest.
-  void show(std::vector<Document*>& to) {
-    to.clear();
-    for (std::size_t i = 1; i < waiting_; ++i) to.push_back(&entries_[i]->document);
-  }
+  std::span<Document* const> following() const { return std::span(documents_).first(waiting_).subspan(1); }
   void drop_oldest() {
-    std::rotate(entries_.begin(), entries_.begin() + 1, entries_.begin() + static_cast<std::ptrdiff_t>(waiting_));
+    const auto to_the_end = [this](auto& all) {
+      std::rotate(all.begin(), all.begin() + 1, all.begin() + static_cast<std::ptrdiff_t>(waiting_));
+    };
+    to_the_end(entries_);
+    to_the_end(documents_);
     --waiting_;
   }
   void clear() { waiting_ = 0; }
 
  private:
-  bool has_enough(const LookAhead& looking) const {
-    if (waiting_ > looking.blocks) return true;
-    for (std::size_t i = 1; i < waiting_; ++i)
-      if (looking.ends_at(entries_[i]->document)) return true;
-    return false;
-  }
-
   const LinkedDialect& linked_;
   const Chain& chain_;
   std::vector<std::unique_ptr<Entry>> entries_;  // the first `waiting_` are in use, oldest first
+  std::vector<Document*> documents_;             // of the entries
   std::size_t waiting_ = 0;
 };
 

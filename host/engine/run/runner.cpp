@@ -352,7 +352,8 @@ class Run final : StandingRun {
     const std::vector<Diagnostic> later = sink_.take();
     sink_.pass_on();
     for (const Diagnostic& d : std::exchange(oldest.said, {})) sink_.add(d);
-    window_.show(chain_.window);
+    const std::span<Document* const> following = window_.following();
+    chain_.window.assign(following.begin(), following.end());
     chain_.alarmed = oldest.alarmed;
     chain_.waits_at = 0;
     chain_.window_grows = window_grows;

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "isogloss/engine/dialect.hpp"
 #include "isogloss/engine/layout.hpp"
@@ -33,6 +34,8 @@ struct LookAhead {
   std::uint32_t blocks;        ///< at most
   std::vector<ig_field> ends;  ///< a block that has one of these is the last that it reads
   bool ends_at(const Document& block) const;
+  /// True where the syntax needs no block beyond these, which follow the one that it looks ahead from.
+  bool is_satisfied_by(std::span<Document* const> following) const;
 };
 
 struct LinkedSyntax {
