@@ -31,6 +31,7 @@ struct Library::Parts {
   bool load(const fs::path& file);
   bool refuse(const fs::path& file, std::string_view code, std::initializer_list<std::string> arguments);
   bool admit(const fs::path& file, const ig_plugin* original);
+  bool is_refused(const fs::path& path) const;
   /// False, and refused, when others can write the path.
   bool is_trusted(const fs::path& path);
 
@@ -89,6 +90,10 @@ bool Library::Parts::refuse(const fs::path& file, std::string_view code, std::in
   return false;
 }
 
+bool Library::Parts::is_refused(const fs::path& path) const {
+  return std::any_of(refused.begin(), refused.end(), [&](const RefusedPlugin& p) { return p.file == path; });
+}
+
 bool Library::Parts::admit(const fs::path& file, const ig_plugin* original) {
   const std::string name = file.string();
   if (original == nullptr) return refuse(file, "IG-0305", {name, "the entry function returned nothing"});
@@ -117,16 +122,14 @@ bool Library::Parts::admit(const fs::path& file, const ig_plugin* original) {
 }
 
 bool Library::Parts::is_trusted(const fs::path& path) {
+  if (is_refused(path)) return false;
   const std::optional<OpenPlace> open = trust == PluginTrust::any ? std::nullopt : open_place(path);
   return !open || refuse(path, "IG-0311", {path.string(), open->path.string(), open->who, open->remedy});
 }
 
 bool Library::Parts::load(const fs::path& file) {
-  const auto known = [&](const auto& list) {
-    return std::any_of(list.begin(), list.end(), [&](const auto& p) { return p.file == file; });
-  };
-  if (known(plugins)) return true;
-  if (known(refused)) return false;
+  if (std::any_of(plugins.begin(), plugins.end(), [&](const LoadedPlugin& p) { return p.file == file; })) return true;
+  if (is_refused(file)) return false;
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return refuse(file, "IG-0301", {file.string(), "not a regular file"});
   if (!is_trusted(file)) return false;
