@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <mutex>
@@ -16,6 +17,11 @@ namespace {
 
 constexpr std::size_t fence = 512;  // bytes on either side; what lies farther away is most often nobody's memory
 constexpr unsigned char mark = 0xB5;
+constexpr std::array<unsigned char, fence> whole_fence = [] {
+  std::array<unsigned char, fence> out{};
+  out.fill(mark);
+  return out;
+}();
 
 PieceList* pieces = nullptr;
 std::mutex damage_mutex;
@@ -25,6 +31,8 @@ std::string damage_of_gone;  // pieces that were given back
 std::string damage_of(const void* piece, std::size_t size) {
   const auto* const begin = static_cast<const unsigned char*>(piece) - fence;
   const auto* const behind = static_cast<const unsigned char*>(piece) + size;
+  const auto is_whole = [](const unsigned char* at) { return std::memcmp(at, whole_fence.data(), fence) == 0; };
+  if (is_whole(begin) && is_whole(behind)) return {};
   const auto is_other = [](unsigned char byte) { return byte != mark; };
   if (const auto* const at = std::find_if(begin, begin + fence, is_other); at != begin + fence)
     return fmt::format("{} bytes before a piece of {} bytes", begin + fence - at, size);
