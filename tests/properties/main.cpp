@@ -21,7 +21,7 @@ constexpr Property properties[] = {
     {"bytes", 100, judge_bytes},     {"foreign-words", 40, judge_foreign_words},
     {"blanks", 100, judge_blanks},   {"order", 100, judge_order},
     {"numbers", 100, judge_numbers}, {"canonical", 100, judge_canonical},
-    {"halves", 36, judge_halves},
+    {"halves", 36, judge_halves},    {"ahead", 10, judge_ahead},
 };
 
 struct Wanted {

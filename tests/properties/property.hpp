@@ -27,5 +27,6 @@ Verdict judge_order(const Case& program);
 Verdict judge_numbers(const Case& program);
 Verdict judge_canonical(const Case& program);
 Verdict judge_halves(const Case& program);
+Verdict judge_ahead(const Case& program);
 
 }  // namespace isogloss::properties

@@ -13,7 +13,8 @@ struct OkumaAssignment {
       ig::syntax("OkumaAssignmentSyntax", "Recognises assignments to variables of an Okuma, which are not executed.")
           .after("IsoCommentSyntax", "HeadIndexSyntax", "ProgramNumberSyntax")
           .before("WordSyntax")
-          .scans("ABCDEFGHIJKLMNPQRSTUVWXYZ");
+          .scans("ABCDEFGHIJKLMNPQRSTUVWXYZ")
+          .scans_ahead();
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (!ig::cnc::is_letter(ig::cnc::at(text, position + 1)) || !stands_first(text, position)) return position;
