@@ -131,7 +131,7 @@ std::optional<Value> Expression::read(const Reference& r) {
   if (r.is_r) {
     VariableStore::RParameter& p = *store.r(r.r);
     if (!p.is_given && store.is_first_report(r.name))
-      b_.report(ig::diag("SIE-0112"), environment_.columns(r.begin, r.end), std::string_view(r.name));
+      b_.report(ig::diag("SIE-0112"), columns(r.begin, r.end), std::string_view(r.name));
     environment_.note_read(b_, r.name, Value::real(p.value));
     return Value::real(p.value);
   }
@@ -164,7 +164,7 @@ std::optional<Value> Expression::read(const Reference& r) {
     if (const auto n = environment_.system.read(b_, r.name)) return Value::real(*n);
   if (environment_.axes.find(r.name)) return Value::string(r.name);  // DEF AXIS NAME=X
   at_ = r.end;
-  const auto where = environment_.columns(r.begin, r.end);
+  const auto where = columns(r.begin, r.end);
   if (!failed_ && r.name[0] == '$')
     environment_.report_once(b_, ig::diag("SIE-0110"), where, r.begin, std::string_view(r.name));
   else if (!failed_)

@@ -66,7 +66,7 @@ std::optional<Value> Expression::level(int priority) {
     const std::string_view op = take_operator(priority);
     if (op.empty()) break;
     if (count == 1 && priority == loosest)
-      environment_.report_once(b_, ig::diag("SIE-0108"), environment_.columns(begin, at_), begin, shown(begin));
+      environment_.report_once(b_, ig::diag("SIE-0108"), columns(begin, at_), begin, shown(begin));
     const auto right = level(priority - 1);
     if (!right) return std::nullopt;
     left = apply(op, *left, *right, begin);
@@ -167,9 +167,11 @@ std::optional<Value> Expression::of_macro(std::size_t begin, const std::string& 
   const std::string padded = std::string(begin, ' ') + macro;
   Expression e(b_, environment_, padded, begin);
   e.depth_ = depth_ + 1;
-  e.is_in_macro_ = true;
-  auto v = is_in_macro_ ? std::nullopt : e.value();
-  if (!is_in_macro_ && !v) {
+  e.macro_name_begin_ = begin;
+  e.macro_name_end_ = at_;
+  const bool is_in_macro = macro_name_end_ != 0;
+  auto v = is_in_macro ? std::nullopt : e.value();
+  if (!is_in_macro && !v) {
     failed_ = true;
     return std::nullopt;
   }

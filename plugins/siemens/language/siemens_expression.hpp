@@ -63,11 +63,16 @@ class Expression {
   /// that the program gives axes. False, with a diagnostic, where that is not possible.
   bool indices(std::string& name, std::string& called);
 
+  /// In the block. What a macro's text holds has the columns of the macro's name.
+  ig::Where columns(std::size_t begin, std::size_t end) const {
+    return macro_name_end_ != 0 ? environment_.columns(macro_name_begin_, macro_name_end_)
+                                : environment_.columns(begin, end);
+  }
   char peek() const { return ig::cnc::at(text_, at_); }
   void skip_blanks() { at_ = ig::cnc::skip_blanks(text_, at_); }
   template <class... Args>
   std::nullopt_t fail(ig::DiagnosticCode diagnostic, std::size_t begin, const Args&... args) {
-    if (!failed_) b_.report(diagnostic, environment_.columns(begin, std::max(at_, begin + 1)), args...);
+    if (!failed_) b_.report(diagnostic, columns(begin, std::max(at_, begin + 1)), args...);
     failed_ = true;
     return std::nullopt;
   }
@@ -85,7 +90,7 @@ class Expression {
   std::size_t at_;
   int depth_ = 0;
   bool failed_ = false;
-  bool is_in_macro_ = false;  // macros do not nest
+  std::size_t macro_name_begin_ = 0, macro_name_end_ = 0;  // not 0: in the text of a macro; they do not nest
 };
 
 }  // namespace siemens
