@@ -98,10 +98,11 @@ struct KlartextProgram {
     return equals_ignoring_case(word, "MM") || equals_ignoring_case(word, "INCH");
   }
 
-  /// BLK FORM 0.1 Z X+0 Y+0 Z-20; other shapes have words, and files, of their own.
+  /// BLK FORM 0.1 Z X+0 Y+0 Z-20, where the first Z is the tool axis; other shapes have words, and files, of their own.
   void blank(ig::Block& b, std::string_view text, std::size_t i) const {
     const ig::Decimal corner = read_number(text, skip(text, i));
     if (!corner.ok) return;
+    const std::size_t tool_axis = corner.value == 0.1 ? skip(text, corner.end) : text.size();
     for (i = skip(text, corner.end); i < text.size(); i = skip(text, i)) {
       const std::size_t letter = to_upper(text[i]) == 'I' ? i + 1 : i;
       const bool is_axis = std::string_view("XYZUVW").find(to_upper(at(text, letter))) != std::string_view::npos;
@@ -110,6 +111,10 @@ struct KlartextProgram {
         return;
       }
       const Value v = values_.read(b, text, letter + 1);
+      if (!v.ok && i != tool_axis) {
+        report_without_meaning(b, text, i, "BLK FORM");
+        return;
+      }
       i = v.ok ? v.end : letter + 1;
     }
   }
