@@ -21,12 +21,27 @@ std::string without_blanks(std::string_view text) {
   return out;
 }
 
+/// A long text is quoted in part: how much of it depends on its blanks.
+std::string with_short_quotes(std::string_view message) {
+  constexpr std::size_t kept = 40;
+  std::string out;
+  std::size_t quoted = 0;  // bytes since the quote began; 0: there is none
+  for (const char c : message) {
+    if (c == '\'')
+      quoted = quoted == 0 ? 1 : 0;
+    else if (quoted != 0 && quoted++ > kept)
+      continue;
+    out += c;
+  }
+  return out;
+}
+
 /// What a run tells of its blocks, but for columns and blanks.
 std::multiset<std::string> told(const Outcome& outcome, Messages messages) {
   std::multiset<std::string> out;
   for (const Diagnostic& d : outcome.diagnostics)
     out.insert(d.code + " line " + std::to_string(d.where.line) + " " +
-               (messages == Messages::compared ? without_blanks(d.message) : std::string()));
+               (messages == Messages::compared ? with_short_quotes(without_blanks(d.message)) : std::string()));
   return out;
 }
 
