@@ -85,6 +85,7 @@ class MotionReader {
       if (const Move* move = root_move(d, symbols)) events.move(*move);
     } else if (list_ < d.lists.size() && d.lists[list_].count != 0) {
       read_items(d, symbols, events);
+      if (d.frame_moved) is_in_frame_ = false;  // G28 of a control ends the tool length behind its steps
     }
     if (has_others) after_motion(d, symbols, events);
   }

@@ -201,6 +201,17 @@ TEST_CASE("an arc's start stands in the frame of its own block") {
   CHECK(s.events().at(0)["Sweep_deg"] == 180);
 }
 
+TEST_CASE("an arc's start stands in its own frame behind steps whose block has changed the frame after them") {
+  Stream s({}, [](TestDocument& t) { t.place(0, 0, 0); });
+  s.block(1, [&] {
+    s.t.item_line(false, 10, 0, 0, 1);
+    s.t.name("CompoundMotion.Term", "HOME");
+    s.t.shift(10, 0, 0);
+  });
+  s.block(2, [&] { s.t.arc(true, 2, 0, 0, 1, 0, 0); });
+  CHECK(s.events().at(1)["Sweep_deg"] == 180);
+}
+
 TEST_CASE("in a tilted frame the sweep about the normal leads from start to end in machine space") {
   const double c = std::cos(0.5), n = std::sin(0.5);
   for (const double mirror : {1.0, -1.0}) {
