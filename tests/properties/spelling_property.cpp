@@ -234,8 +234,11 @@ Verdict judge_numbers(const Case& program) {
     const std::uint64_t choice =
         choice_at(program.seed, std::string_view(text).substr(block.begin, block.end - block.begin), 0);
     number += 10;
+    // A number makes a block of a comment.
+    const bool is_needed = std::all_of(block.pieces.begin() + 1, block.pieces.end(),
+                                       [](const Block::Piece& piece) { return piece.is_comment; });
     if (first.is_number)
-      edits.replace(first.begin, first.end, choice % 2 == 0 ? "" : prefix + std::to_string(number));
+      edits.replace(first.begin, first.end, choice % 2 == 0 && !is_needed ? "" : prefix + std::to_string(number));
     else if (first.is_word && choice % 2 == 0)
       edits.replace(first.begin, first.begin, prefix + std::to_string(number) + " ");
   }
