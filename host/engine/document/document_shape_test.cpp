@@ -35,8 +35,9 @@ const ShapeNode& section(const std::vector<ShapeNode>& shape, std::string_view n
 }  // namespace
 
 TEST_CASE("a code with decimals and the one without own their words side by side") {
-  const Layout layout = layout_of({"Parsing.B5.1", "Parsing.B5", "Parsing.B5.1.2"},
-                                  {"Parsing.B5.P", "Parsing.B5.1.P", "Parsing.B5.1.2.Q", "Parsing.B5.1.R", "Parsing.X"});
+  const Layout layout =
+      layout_of({"Parsing.B5.1", "Parsing.B5", "Parsing.B5.1.2"},
+                {"Parsing.B5.P", "Parsing.B5.1.P", "Parsing.B5.1.2.Q", "Parsing.B5.1.R", "Parsing.X"});
   CHECK(names(section(document_shape(layout), "Parsing").children) == "Flags,X,B5.1(P,R),B5(P),B5.1.2(Q)");
 }
 
