@@ -4,6 +4,7 @@
   scan_ahead_test.py --isogloss PATH
 """
 import argparse
+import json
 import os
 import pathlib
 import subprocess
@@ -128,6 +129,15 @@ class ScanAhead(unittest.TestCase):
                     self.assertGreater(alone[1].count(b"\n"), 3 * units)
                     for lines in (1, 500):
                         self.assertEqual(self.run_it(*run, "--scan-ahead", lines), alone)
+
+    def test_scanners_of_plain_words_may_be_asked_ahead(self):
+        """One that is asked at each word and may not be would leave each line of its dialects to the run, unnoticed."""
+        status, out, said = self.run_it("list", "syntaxes", "--json")
+        self.assertEqual(status, 0, said)
+        # This one is asked last, for what no other has read, and its lines are reported in their turn.
+        asked = [s for s in json.loads(out) if set("XYZ") <= set(s.get("Scans", "")) and s["Id"] != "KlartextUnknownSyntax"]
+        self.assertIn("WordSyntax", [s["Id"] for s in asked])
+        self.assertEqual([s["Id"] for s in asked if not s.get("ScansAhead")], [])
 
     @unittest.skipIf(len(os.sched_getaffinity(0)) < 2, "one processor: the run scans by itself")
     def test_another_thread_scans(self):

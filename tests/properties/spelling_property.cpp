@@ -21,17 +21,16 @@ std::string without_blanks(std::string_view text) {
   return out;
 }
 
-/// A long text is quoted in part: how much of it depends on its blanks.
-std::string with_short_quotes(std::string_view message) {
+/// Without blanks. A long text is quoted in part, and its blanks decide how much of it: only its beginning is kept.
+std::string comparable(std::string_view message) {
   constexpr std::size_t kept = 40;
   std::string out;
-  std::size_t quoted = 0;  // bytes since the quote began; 0: there is none
-  for (const char c : message) {
-    if (c == '\'')
-      quoted = quoted == 0 ? 1 : 0;
-    else if (quoted != 0 && quoted++ > kept)
-      continue;
-    out += c;
+  std::size_t at = 0;
+  while (at < message.size()) {
+    const bool begins_quote = message[at] == '\'' && (at == 0 || message[at - 1] == ' ');
+    const std::size_t end = begins_quote ? std::min(message.find('\'', at + 1), message.size() - 1) + 1 : at + 1;
+    out += without_blanks(message.substr(at, end - at)).substr(0, kept);
+    at = end;
   }
   return out;
 }
@@ -41,7 +40,7 @@ std::multiset<std::string> told(const Outcome& outcome, Messages messages) {
   std::multiset<std::string> out;
   for (const Diagnostic& d : outcome.diagnostics)
     out.insert(d.code + " line " + std::to_string(d.where.line) + " " +
-               (messages == Messages::compared ? with_short_quotes(without_blanks(d.message)) : std::string()));
+               (messages == Messages::compared ? comparable(d.message) : std::string()));
   return out;
 }
 

@@ -111,7 +111,7 @@ struct KlartextProgram {
         return;
       }
       const Value v = values_.read(b, text, letter + 1);
-      if (!v.ok && i != tool_axis) {
+      if (!v.ok && letter != tool_axis) {
         report_without_meaning(b, text, i, "BLK FORM");
         return;
       }
