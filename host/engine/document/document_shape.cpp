@@ -13,11 +13,11 @@ namespace {
 constexpr std::string_view frames_prefix = "ProgramToMcTransform.";
 
 /// The tree while it is made. The names are those of the layout, which outlives it.
-class Drafts {
+class ShapeDrafts {
  public:
   static constexpr std::size_t root = 0;
 
-  explicit Drafts(std::size_t paths) {
+  explicit ShapeDrafts(std::size_t paths) {
     drafts_.reserve(2 * paths + 8);
     drafts_.emplace_back();
     by_name_.reserve(2 * paths + 8);
@@ -151,10 +151,10 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c
 
 std::vector<ShapeNode> document_shape(const Layout& layout) {
   using enum ShapeNode::Kind;
-  Drafts drafts(layout.fields.size() + layout.lists.size());
-  drafts.child(Drafts::root, "Source");
-  drafts[drafts.child(Drafts::root, "UnparsedText")].kind = unparsed;
-  const std::size_t parsing = drafts.child(Drafts::root, "Parsing");
+  ShapeDrafts drafts(layout.fields.size() + layout.lists.size());
+  drafts.child(ShapeDrafts::root, "Source");
+  drafts[drafts.child(ShapeDrafts::root, "UnparsedText")].kind = unparsed;
+  const std::size_t parsing = drafts.child(ShapeDrafts::root, "Parsing");
   drafts[drafts.child(parsing, "Flags")].kind = flags;
   // The words that stand for themselves come before the codes that own some.
   for (const ig_field f : layout.shown) {
@@ -171,19 +171,19 @@ std::vector<ShapeNode> document_shape(const Layout& layout) {
   }
   for (const ig_field f : layout.shown) {
     if (!shows_as_value(layout.fields[f])) continue;
-    ShapeNode& node = drafts[drafts.at(Drafts::root, layout.fields[f].path)];
+    ShapeNode& node = drafts[drafts.at(ShapeDrafts::root, layout.fields[f].path)];
     node.kind = field;
     node.field = f;
   }
   for (std::size_t i = 0; i < layout.lists.size(); ++i) {
-    ShapeNode& node = drafts[drafts.at(Drafts::root, layout.lists[i].path)];
+    ShapeNode& node = drafts[drafts.at(ShapeDrafts::root, layout.lists[i].path)];
     node.kind = list;
     node.field = static_cast<ig_field>(i);
     node.children = record_shape(layout.lists[i]);
   }
   const std::string_view frames = frames_prefix.substr(0, frames_prefix.size() - 1);
-  drafts[drafts.child(Drafts::root, frames)].kind = transforms;
-  std::vector<ShapeNode> sections = drafts.take_children(Drafts::root);
+  drafts[drafts.child(ShapeDrafts::root, frames)].kind = transforms;
+  std::vector<ShapeNode> sections = drafts.take_children(ShapeDrafts::root);
   std::stable_sort(sections.begin(), sections.end(),
                    [](const ShapeNode& a, const ShapeNode& b) { return rank(a.name) < rank(b.name); });
   for (ShapeNode& s : sections) {
@@ -198,14 +198,14 @@ std::vector<ShapeNode> document_shape(const Layout& layout) {
 }
 
 std::vector<ShapeNode> record_shape(const ListInfo& list) {
-  Drafts drafts(list.fields.size());
+  ShapeDrafts drafts(list.fields.size());
   for (std::size_t i = 0; i < list.fields.size(); ++i) {
     if (list.fields[i].hidden || list.fields[i].type == IG_TEXT) continue;
-    ShapeNode& node = drafts[drafts.at(Drafts::root, list.fields[i].path)];
+    ShapeNode& node = drafts[drafts.at(ShapeDrafts::root, list.fields[i].path)];
     node.kind = ShapeNode::Kind::field;
     node.field = static_cast<ig_field>(i);
   }
-  std::vector<ShapeNode> nodes = drafts.take_children(Drafts::root);
+  std::vector<ShapeNode> nodes = drafts.take_children(ShapeDrafts::root);
   for (ShapeNode& node : nodes) collect_fields(node);
   return nodes;
 }
