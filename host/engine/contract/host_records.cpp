@@ -95,11 +95,11 @@ namespace {
 
 /// The shape of the record is known, and its list has room. Calls nothing, and so needs no frame on the stack.
 [[gnu::always_inline]] inline void append_known(Document& d, const RecordShape& shape, const ig_field* fields,
-                                                const ig_value* v) {
+                                                std::uint32_t count, const ig_value* v) {
   ListData& list = d.lists[shape.list];
   ig_value* const record = list.add(shape.mask);
-#pragma GCC unroll 4
-  for (std::uint32_t i = 0; i < shape.count; ++i) record[index_in_record(fields[i])] = v[i];
+#pragma GCC unroll 8
+  for (std::uint32_t i = 0; i < count; ++i) record[index_in_record(fields[i])] = v[i];
   if (d.chain != nullptr) ++d.chain->records;
   d.wake_by_list(shape.list);
 }
@@ -120,24 +120,35 @@ template <Mode M>
   }
   if (!list.has_room()) list.make_room();
   if (count <= RecordShape::most_fields) d.record_shapes.at(fields) = shape;
-  append_known(d, shape, fields, v);
+  append_known(d, shape, fields, count, v);
   return 1;
 }
+
+/// A record of a shape that was met here before, while its list has room; false for others.
+[[gnu::always_inline]] inline bool append_as_before(Document& d, const ig_field* fields, std::uint32_t count,
+                                                    const ig_value* v) {
+  const RecordShape& shape = d.record_shapes.at(fields);
+  if (!shape.is(fields, count)) [[unlikely]]
+    return false;
+  const ListData& list = d.lists[shape.list];
+  if (!list.has_room() || list.count >= maximum_items) [[unlikely]]
+    return false;
+  append_known(d, shape, fields, count, v);
+  return true;
+}
+
+/// Most records are steps of a motion: X, Y, Z, the form, and the feed or that it is rapid. With their number known to
+/// the compiler no loop is left.
+constexpr std::uint32_t usual_count = 5;
 
 }  // namespace
 
 template <Mode M>
 std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v) {
-  Document& d = doc(block);
   if constexpr (M != Mode::checked) {
-    const RecordShape& shape = d.record_shapes.at(fields);
-    if (shape.is(fields, count)) [[likely]] {
-      const ListData& list = d.lists[shape.list];
-      if (list.has_room() && list.count < maximum_items) [[likely]] {
-        append_known(d, shape, fields, v);
-        return 1;
-      }
-    }
+    Document& d = doc(block);
+    if (count == usual_count ? append_as_before(d, fields, usual_count, v) : append_as_before(d, fields, count, v))
+      return 1;
   }
   return append_other<M>(block, fields, count, v);
 }
