@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include <isogloss/cnc/cycle_in_force.hpp>
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
@@ -42,15 +43,14 @@ struct FanucToolOffset {
                                   ig::Word{"Parsing.C", ig::read, "deg"}};
   ig::In<std::int64_t> offset_id_{"RadiusCompensation.OffsetId"};
   ig::In<ig::Symbol> compensation_{"RadiusCompensation.Term"};
-  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
+  CycleInForce cycle_;
   ig::In<ig::Symbol> polar_{"PolarCoordinate.Term"}, scaling_{"Scaling.Term"}, mirror_{"MirrorImage.Term"};
   ig::In<ig::Symbol> rotation_{"TiltTransform.Term"};
   ig::Codes motions_{{"G00", "G01", "G02", "G03", "G33"}, ig::read};
   ig::Codes further_{{"G16", "G51", "G51.1", "G53", "G68"}, ig::read};
-  ig::Codes cancel_{{"G80"}, ig::read};
   ig::Codes sides_{{"G41", "G42"}, ig::read};
   ig::In<ig::Symbol> motion_{"MotionState.Term"};
-  ig::Name g02_{"G02"}, g03_{"G03"}, g40_{"G40"}, g68_{"G68"}, g80_{"G80"};
+  ig::Name g02_{"G02"}, g03_{"G03"}, g40_{"G40"}, g68_{"G68"};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::required, "Radius geometry and wear."};
   PlaneInForce plane_;
   DistanceMode distance_;
@@ -67,7 +67,7 @@ struct FanucToolOffset {
 
     const ig::Where where = ig::Where::word(code);
     const std::string_view name = b.text(codes_.name(*row));
-    if (is_cycle(b)) {
+    if (cycle_.is_on(b)) {
       b.report(ig::diag("FAN-0221"), where, name);
     } else if (const std::string_view why = refusal(b); !why.empty()) {
       b.report(ig::diag("FAN-0220"), where, name, why);
@@ -87,10 +87,6 @@ struct FanucToolOffset {
   static std::optional<double> get(const ig::Block& b, ig_field word) {
     ig_value v;
     return b.get(word, v) ? std::optional(v.number) : std::nullopt;
-  }
-
-  bool is_cycle(const ig::Block& b) const {
-    return b.has(cycle_) && !b.is(cycle_, g80_) && !b.find(motions_) && !b.find(cancel_);
   }
 
   bool is_arc(const ig::Block& b) const {

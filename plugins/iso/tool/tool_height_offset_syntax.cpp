@@ -2,6 +2,7 @@
 /// the length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new
 /// H under G43 is a new length.
 #include <isogloss/cnc/cycle_codes.hpp>
+#include <isogloss/cnc/cycle_in_force.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -45,6 +46,7 @@ struct ToolHeightOffset {
                                  {ig::Life::modal, "mm", "Change of the length that the next Z under G91 moves by."}};
   ig::Word z_{"Parsing.Z", ig::read | ig::write};
   CycleCalls other_z_{"Z", ig::read, {"G28", "G30"}};
+  CycleInForce cycle_;
   ig::Codes machine_select_{{"G53"}, ig::read};
   DistanceMode distance_;
   ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
@@ -109,7 +111,8 @@ struct ToolHeightOffset {
     b.set_translation(frame_, signed_length * tool_axis(b));
   }
 
-  /// Example of the manual: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. True when something was written.
+  /// Example of the manual: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. Z of a hole is its depth, and no move. True
+  /// when something was written.
   bool travel(ig::Block& b, double change) const {
     if (under_g91_ == LengthUnderG91::position) return false;
     const double pending = b.get_or(untravelled_, 0.0) + change;
@@ -124,7 +127,7 @@ struct ToolHeightOffset {
       b.set(untravelled_, pending);
       return true;
     }
-    if (z && is_along_z && is_increment) b.rewrite(z_.id(), *z + pending);
+    if (z && is_along_z && is_increment && !cycle_.is_on(b)) b.rewrite(z_.id(), *z + pending);
     b.erase(untravelled_);
     return true;
   }

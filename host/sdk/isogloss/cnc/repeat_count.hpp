@@ -3,6 +3,7 @@
 /// and the modal state decides.
 #pragma once
 
+#include "isogloss/cnc/cycle_in_force.hpp"
 #include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
@@ -37,13 +38,11 @@ class TappingJ {
 /// A member of each syntax that must tell whether a lone K is a count.
 class RepeatCount {
  public:
-  /// True when K of the block itself is a count: a canned cycle is active and no motion code ends it here.
-  bool is_k(const Block& b) const { return b.has(cycle_) && !b.is(cycle_, cancelled_) && !b.find(motions_); }
+  /// True when K of the block itself is a count: it stands for holes of an earlier call.
+  bool is_k(const Block& b) const { return cycle_.is_on(b); }
 
  private:
-  In<Symbol> cycle_{"CannedCycle.Term"};
-  Codes motions_{{"G00", "G01", "G02", "G03", "G33"}, read};
-  Name cancelled_{"G80"};
+  CycleInForce cycle_;
 };
 
 }  // namespace ig::cnc
