@@ -62,7 +62,7 @@ void map_normal(const Frame& frame, PlaneAxes plane, double (&out)[3]) {
 
 }  // namespace
 
-/// Degrees from start to end about the center, signed; ±360 where they coincide.
+/// Degrees from start to end about the center, signed; ±360 where they coincide, or lie in one direction from it.
 double sweep_deg(const Move& move) {
   const Arc& arc = move.arc;
   if (arc.sweep) return *arc.sweep;
@@ -75,7 +75,9 @@ double sweep_deg(const Move& move) {
   const double u[2] = {arc.start[i] - arc.center[i], arc.start[j] - arc.center[j]};
   const double v[2] = {end[i] - arc.center[i], end[j] - arc.center[j]};
   double angle = degrees(sign * std::atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]));
-  if (angle <= 0) angle += 360;
+  if (angle < 0) angle += 360;
+  // Rounding must not decide between nothing and a circle.
+  if (angle * std::sqrt(v[0] * v[0] + v[1] * v[1]) < degrees(closed_arc_mm)) angle = 360;
   return sign * angle + turns;
 }
 

@@ -181,6 +181,15 @@ TEST_CASE("sweeps in the three planes") {
   }
 }
 
+TEST_CASE("an arc whose ends lie in one direction from the centre is a whole circle, whatever rounding makes of it") {
+  for (const double rounding : {-1e-14, 0.0, 1e-14}) {
+    CAPTURE(rounding);
+    Stream s({}, [](TestDocument& t) { t.place(2, 1, 0); });
+    s.block(1, [&] { s.t.arc(true, 2 + rounding, 0, 0, 2, -9, 0); });
+    CHECK(s.events().at(0)["Sweep_deg"].get<double>() == Approx(360));
+  }
+}
+
 TEST_CASE("whole turns add to the sweep") {
   Stream s({}, [](TestDocument& t) { t.place(1, 0, 0); });
   s.block(1, [&] {

@@ -36,15 +36,18 @@ inline double radius_shortfall(const Point2& start, const Point2& end, double ra
   return (end - start).length() / 2 - std::fabs(radius);
 }
 
-/// The signed angle from start to end about the centre, in radians; a whole circle where start and end are the same.
+/// The signed angle from start to end about the centre, in radians; a whole circle where both lie in one direction from
+/// the centre.
 inline double sweep(const Point2& start, const Point2& end, const Point2& center, bool is_ccw) {
   constexpr double circle = 2 * std::numbers::pi;
-  if ((end - start).length() < same_point_mm) return is_ccw ? circle : -circle;
+  const double sense = is_ccw ? 1 : -1;
+  if ((end - start).length() < same_point_mm) return sense * circle;
   const Point2 a = start - center, b = end - center;
-  double turn = std::atan2(a.u * b.v - a.v * b.u, a.u * b.u + a.v * b.v);
-  if (is_ccw && turn < 0) turn += circle;
-  if (!is_ccw && turn > 0) turn -= circle;
-  return turn;
+  double turn = sense * std::atan2(a.u * b.v - a.v * b.u, a.u * b.u + a.v * b.v);
+  if (turn < 0) turn += circle;
+  // Rounding must not decide between nothing and a circle.
+  if (turn * b.length() < same_point_mm) turn = circle;
+  return sense * turn;
 }
 
 /// Length of the path in mm: an arc whose radius changes evenly from start to end, with a rise of `rise` mm along the

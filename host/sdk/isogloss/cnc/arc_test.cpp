@@ -75,6 +75,17 @@ TEST_CASE("an arc that ends where it starts is a whole circle, and a rise makes 
   CHECK(arc_length({10, 0}, {0, 12}, center, true, 0) == Approx(11 * std::numbers::pi / 2));
 }
 
+TEST_CASE("an arc whose ends lie in one direction from the centre is a whole circle, whatever rounding makes of it") {
+  const Point2 center{100, -9};
+  for (const double rounding : {-1e-14, 0.0, 1e-14, 1e-9})
+    for (const bool is_ccw : {true, false}) {
+      CAPTURE(rounding, is_ccw);
+      const double turn = sweep({100, 1}, {100 + rounding, 0}, center, is_ccw);
+      CHECK(turn / degree == Approx(is_ccw ? 360 : -360));
+    }
+  CHECK(sweep({100, 1}, {100 - 1e-5, 0}, center, true) / degree == Approx(6.37e-5).epsilon(1e-3));
+}
+
 TEST_CASE("a sweep of a quarter turn has the sign of its direction") {
   const Point2 e{1, 0}, n{0, 1}, center{0, 0};
   CHECK(sweep(e, n, center, true) / degree == Approx(90));

@@ -111,7 +111,9 @@ inline Corner corner(const ContourMove& a, const ContourMove& b, double offset, 
   Corner out{CornerKind::tangent, q1, {}, 0};
   if (offset == 0 || (std::fabs(bend) < no_bend && along > 0)) return out;
 
-  if (bend * offset > 0) {
+  // A way back along the same line has no inner side, so the tool goes round its end, whatever rounding makes of it.
+  const bool is_reversal = std::fabs(bend) < no_bend;
+  if (bend * offset > 0 && !is_reversal) {
     const auto at = detail::crossing(detail::curve_at(a, a.end, u1, offset), detail::curve_at(b, b.start, u2, offset),
                                      0.5 * (q1 + q2));
     const bool is_tangent = !at && (q1 - q2).length() < std::fmax(a.slack_mm, b.slack_mm);

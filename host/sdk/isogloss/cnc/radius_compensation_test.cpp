@@ -42,6 +42,16 @@ TEST_CASE("the angle between two straight moves decides how the tool passes thei
   }
 }
 
+TEST_CASE("a way back along the same line goes round its end, whatever rounding makes of it") {
+  for (const double rounding : {-1e-9, -1e-14, 0.0, 1e-14, 1e-9})
+    for (const double offset : {5.0, -5.0}) {
+      CAPTURE(rounding, offset);
+      const Corner c = corner(line({-10, 0}, {0, 0}), line({0, 0}, {-10, rounding}), offset, OuterCorner::lines);
+      CHECK(c.kind == CornerKind::acute);
+      check_point(c.leave, {5, offset});
+    }
+}
+
 TEST_CASE("an outer corner may be passed on an arc about it") {
   const Corner left = corner(line({-10, 0}, {0, 0}), line({0, 0}, {0, -10}), 5, OuterCorner::arc);
   CHECK(left.kind == CornerKind::round);
