@@ -2,6 +2,7 @@
 /// Q that gives none.
 #pragma once
 
+#include <isogloss/cnc/arc.hpp>
 #include <isogloss/cnc/canned_cycle.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -62,7 +63,8 @@ class PeckCycle {
     }
     if (is_news && q != 0) {
       if (!unknown_.empty()) b.report(ig::diag("ISO-0334"), cycle.where(run), b.text(run.code), unknown_, retraction_);
-      if (retraction_ > depth) b.report(ig::diag("ISO-0333"), cycle.where(run), b.text(run.code), retraction_, depth);
+      if (retraction_ > depth + same_point_mm)
+        b.report(ig::diag("ISO-0333"), cycle.where(run), b.text(run.code), retraction_, depth);
     }
     const double full_return = peck_words_ == PeckWords::q ? 0 : std::fabs(run.words.get_or(CycleWords::K, 0));
     return Pecks{strokes, static_cast<int>(number), retraction_, clear_level(strokes, run), full_return};

@@ -4,6 +4,7 @@
 ///
 /// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
 /// length 0.
+#include <isogloss/cnc/arc.hpp>
 #include <isogloss/cnc/restarted_spindle.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -176,7 +177,7 @@ struct TappingCycle {
     const PeckTapping pecks(run.r_level, run.bottom, q, parameter("PeckTappingRetraction_mm", 1), most);
     if (pecks.is_cut_short)
       b.report(ig::diag("ISO-0351"), ig::Where::block(), b.text(run.code), q, static_cast<double>(most));
-    if (pecks.count > 1 && pecks.retract > pecks.step)
+    if (pecks.count > 1 && pecks.retract > pecks.step + same_point_mm)
       b.report(ig::diag("ISO-0353"), ig::Where::block(), b.text(run.code), pecks.retract, pecks.step);
     return pecks;
   }
