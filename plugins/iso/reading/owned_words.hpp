@@ -15,6 +15,7 @@ namespace iso {
 /// The words of one code, or of the block itself. At most 32.
 struct WordRow {
   ig_field code = IG_NO_FIELD;
+  std::string_view name;  ///< of the code, "G81"
   std::vector<ig_field> words;
   std::vector<char> letters;
   std::vector<std::string_view> units;
@@ -36,8 +37,10 @@ inline std::vector<WordRow> rows_of(const ig::Fields& codes, const ig::Fields& w
   std::vector<WordRow> rows(codes.size());
   std::unordered_map<std::string_view, std::size_t> row_of;
   for (std::size_t c = 0; c < codes.size(); ++c) {
+    const std::string_view path = codes.path(c);
     rows[c].code = codes.id(c);
-    row_of.emplace(codes.path(c), c);
+    rows[c].name = path.substr(path.rfind('.') + 1);
+    row_of.emplace(path, c);
   }
   for (std::size_t w = 0; w < words.size(); ++w) {
     const std::string_view word = words.path(w);  // Parsing.G81.X

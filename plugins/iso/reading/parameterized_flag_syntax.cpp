@@ -10,6 +10,10 @@ struct ParameterizedFlagSyntax {
   static constexpr auto spec = ig::syntax("ParameterizedFlagSyntax", "Gives words to the codes that own them.")
                                    .after("FlagSyntax", "WordSyntax")
                                    .before("DecimalPointSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0593",
+                     "{0} goes to {1}, but {2} in the same block takes {0} as well: write them in two blocks"),
+  };
 
   ig::Fields codes{"codes", "Parsing.*", ig::read | ig::wake, "The codes that may own words.", IG_CODE};
   ig::Fields words{"words", "Parsing.*.?", ig::write, "The words that they own."};
@@ -79,23 +83,33 @@ struct ParameterizedFlagSyntax {
       if (!b.get(block.words[i], value)) continue;
       ig_word place{};
       b.word(block.words[i], place);
-      const ig_field to = owner_of(block.letters[i], place.begin, {owners_here.data(), count});
-      if (to == IG_NO_FIELD) continue;
-      b.move(block.words[i], to);
+      const Choice chosen = owner_of(block.letters[i], place.begin, {owners_here.data(), count});
+      if (chosen.owner == nullptr) continue;
+      const WordRow& owner = rows[chosen.owner->row];
+      if (chosen.other != nullptr)
+        b.report(ig::diag("ISO-0593"), ig::Where::word(block.words[i]), std::string_view(&block.letters[i], 1),
+                 owner.name, rows[chosen.other->row].name);
+      b.move(block.words[i], owner.word(block.letters[i]));
       any = true;
     }
     return any ? ig::Status::changed : ig::Status::unchanged;
   }
 
-  /// The word of the nearest code before the column that owns the address, else of the first code that owns it.
-  ig_field owner_of(char letter, std::uint32_t begin, std::span<const Owner> in_order) const {
-    ig_field chosen = IG_NO_FIELD;
+  struct Choice {
+    const Owner* owner = nullptr;  ///< null: no code owns the address
+    const Owner* other = nullptr;  ///< another code that owns it; null: there is none
+  };
+
+  /// The nearest code before the column that owns the address, else the first code that owns it.
+  Choice owner_of(char letter, std::uint32_t begin, std::span<const Owner> in_order) const {
+    Choice out;
     for (const Owner& owner : in_order) {
-      const ig_field word = rows[owner.row].word(letter);
-      if (word == IG_NO_FIELD) continue;
-      if (chosen == IG_NO_FIELD || owner.begin < begin) chosen = word;
+      if (rows[owner.row].word(letter) == IG_NO_FIELD) continue;
+      const bool is_nearer = out.owner == nullptr || owner.begin < begin;
+      if (out.owner != nullptr) out.other = is_nearer ? out.owner : &owner;
+      if (is_nearer) out.owner = &owner;
     }
-    return chosen;
+    return out;
   }
 };
 
