@@ -78,6 +78,8 @@ class CycleText {
       std::size_t end = i;
       if (is_digit(c) || c == '+' || c == '-' || (c == '.' && is_digit(at(text, i + 1))) || Values::q_at(text, i, end))
         break;
+      const bool is_of_word = is_letter(c) || is_blank(c) || c == '.' || (static_cast<unsigned char>(c) & 0x80) != 0;
+      if (!is_of_word) break;
       ++i;
     }
     return values_.read(b, text, i);

@@ -98,10 +98,21 @@ struct KlartextProgram {
     return equals_ignoring_case(word, "MM") || equals_ignoring_case(word, "INCH");
   }
 
-  /// BLK FORM 0.1 Z X+0 Y+0 Z-20, where the first Z is the tool axis; other shapes have words, and files, of their own.
+  /// BLK FORM 0.1 Z X+0 Y+0 Z-20, where the first Z is the tool axis; CYLINDER, ROTATION and FILE have words of their
+  /// own.
   void blank(ig::Block& b, std::string_view text, std::size_t i) const {
-    const ig::Decimal corner = read_number(text, skip(text, i));
-    if (!corner.ok) return;
+    i = skip(text, i);
+    const ig::Decimal corner = read_number(text, i);
+    if (!corner.ok || (corner.value != 0.1 && corner.value != 0.2)) {
+      const std::string_view shape = piece(text, i, letters_end(text, i));
+      const auto is_shape = [&](std::string_view name) { return equals_ignoring_case(shape, name); };
+      if (i >= text.size())
+        b.report(ig::diag("HEI-0104"), where_of_line(text, 0), std::string_view("BLK FORM"),
+                 std::string_view("the corner or the shape"));
+      else if (!is_shape("CYLINDER") && !is_shape("ROTATION") && !is_shape("FILE"))
+        report_without_meaning(b, text, i, "BLK FORM");
+      return;
+    }
     const std::size_t tool_axis = corner.value == 0.1 ? skip(text, corner.end) : text.size();
     for (i = skip(text, corner.end); i < text.size(); i = skip(text, i)) {
       const std::size_t letter = to_upper(text[i]) == 'I' ? i + 1 : i;
