@@ -1364,6 +1364,15 @@ class Cases(Command):
         self.assertIn("[IG-0501]", self.run_it("case", page, status=1).stderr)
         self.run_it("case", "missing.md", status=2)
 
+    def test_dependencies_that_are_no_xml_are_an_error(self):
+        damaged = "#Dependencies:\n```xml\n<Tables\n```\n"
+        case = "# DwellSyntax\n## damaged\n#BeforeBuild:\n```json\n{}\n```\n#AfterBuild:\n```json\n{}\n```\n"
+        file = ("# HeidenhainDatumTable\n## damaged\n#File: ZERO.D\n```\nBEGIN ZERO.D\n[END]\n```\n"
+                "#Tables:\n```xml\n```\n")
+        for text in (case, file):
+            page = self.write("c.md", text + damaged)
+            self.assertIn("the dependencies are no XML", self.run_it("case", page, status=1).stdout)
+
     @unittest.skipIf(FACTOR < 1, "the tests cases_* run the same pages")
     def test_shipped_pages_hold(self):
         self.assertIn(" 0 fail", self.run_it("case", "--all", timeout=300).stdout)  # sanitizers take their time

@@ -31,13 +31,17 @@ bool has_plugin(const Dialect& dialect, std::string_view name) {
 
 }  // namespace
 
-CaseDependencies read_case_dependencies(const std::string& xml, const std::string& syntax, const Location& where) {
+std::optional<CaseDependencies> read_case_dependencies(const std::string& xml, const std::string& syntax,
+                                                       const Location& where, DiagnosticSink& sink) {
   CaseDependencies out;
   if (xml.find_first_not_of(" \t\r\n") == std::string::npos) return out;
   pugi::xml_document document;
   const pugi::xml_parse_result parsed =
       document.load_buffer(xml.data(), xml.size(), pugi::parse_default | pugi::parse_fragment);
-  if (!parsed) throw std::runtime_error(std::string("the dependencies are no XML: ") + parsed.description());
+  if (!parsed) {
+    sink.add(host_diagnostic("IG-0503", where, {std::string("the dependencies are no XML: ") + parsed.description()}));
+    return std::nullopt;
+  }
   pugi::xml_node parent = document;
   if (const pugi::xml_node wrapper = document.child("Dependencies")) parent = wrapper;
   for (const pugi::xml_node& node : parent.children()) {

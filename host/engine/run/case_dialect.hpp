@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct CaseDependencies {
   std::map<std::string, std::string, std::less<>> settings;
 };
 
-/// Throws std::runtime_error when the text is not XML. `where` becomes the place of all of it.
-CaseDependencies read_case_dependencies(const std::string& xml, const std::string& syntax, const Location& where);
+/// Nothing, and reported, when the text is not XML. `where` becomes the place of all of it.
+std::optional<CaseDependencies> read_case_dependencies(const std::string& xml, const std::string& syntax,
+                                                       const Location& where, DiagnosticSink& sink);
 
 /// The dialect around one syntax. `alias` becomes the place to look for it in the chain.
 Dialect surround(const ig_syntax& syntax, const ig_plugin& plugin, const Surroundings& around,

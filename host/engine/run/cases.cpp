@@ -176,16 +176,17 @@ std::optional<std::string> apply(const Application& application, const Surroundi
   if (before.is_null() || (application.previous && previous.is_null()) || (application.ahead && ahead.is_null()))
     return std::nullopt;
 
+  const auto own = read_case_dependencies(application.dependencies, id, application.where, sink);
+  if (!own) return std::nullopt;
   try {
-    const CaseDependencies own = read_case_dependencies(application.dependencies, id, application.where);
     std::string alias = application.syntax;
-    const Dialect dialect = surround(*syntax, *plugin, surroundings, own, application.where, alias, library);
+    const Dialect dialect = surround(*syntax, *plugin, surroundings, *own, application.where, alias, library);
     const std::unique_ptr<LinkedDialect> linked = link(dialect, library, sink, LinkMode::parts);
     if (linked == nullptr) return std::nullopt;
     ChainSettings settings;
     settings.mode = Mode::checked;
     settings.settings = surroundings.settings;
-    for (const auto& [name, value] : own.settings) settings.settings[name] = value;
+    for (const auto& [name, value] : own->settings) settings.settings[name] = value;
     Bench bench(*linked, linked->position(alias).value(), std::move(settings), sink);
     return bench.run(before, application.previous ? &previous : nullptr, ahead).dump(2);
   } catch (const std::exception& e) {
@@ -196,9 +197,10 @@ std::optional<std::string> apply(const Application& application, const Surroundi
 
 LinkedAlone link_alone(const ig_syntax& syntax, const ig_plugin& plugin, const Surroundings& surroundings,
                        const std::string& dependencies, Library& library, DiagnosticSink& sink) {
-  const CaseDependencies own = read_case_dependencies(dependencies, syntax.id, {});
+  const auto own = read_case_dependencies(dependencies, syntax.id, {}, sink);
+  if (!own) return {};
   std::string alias = syntax.id;
-  const Dialect dialect = surround(syntax, plugin, surroundings, own, {}, alias, library);
+  const Dialect dialect = surround(syntax, plugin, surroundings, *own, {}, alias, library);
   LinkedAlone out{link(dialect, library, sink, LinkMode::parts)};
   if (out.linked != nullptr) out.position = out.linked->position(alias).value();
   return out;

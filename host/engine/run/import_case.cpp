@@ -37,6 +37,10 @@ std::string difference(std::string_view what, const std::vector<std::string>& wa
   return out + fmt::format("    {} lines expected, {} given, or their order differs\n", wanted.size(), got.size());
 }
 
+std::string fault_line(const Diagnostic& d) {
+  return fmt::format("  {}: {} [{}]\n", to_string(d.severity), d.message, d.code);
+}
+
 std::vector<std::string> table_lines(const std::vector<DependencyElement>& tables) {
   std::vector<std::string> lines = lines_of(write_tables(tables, false));
   const auto is_frame = [](const std::string& line) {
@@ -57,16 +61,19 @@ std::string run_import_case(const Page& page, const Case& one, const std::string
       asked.options.push_back(
           {line.substr(0, equals), equals == std::string::npos ? "" : line.substr(equals + 1), asked.where});
     }
-  CaseDependencies machine;
-  if (one.dependencies) machine = read_case_dependencies(one.dependencies->text, page.syntax, asked.where);
-  for (const DependencyElement& table : machine.dependencies) asked.machine_tables.push_back(&table);
+  std::optional<CaseDependencies> machine;
+  if (one.dependencies)
+    machine = read_case_dependencies(one.dependencies->text, page.syntax, {file, one.dependencies->line, 0}, said);
+  if (one.dependencies && !machine) return fault_line(said.all.back());
+  if (machine)
+    for (const DependencyElement& table : machine->dependencies) asked.machine_tables.push_back(&table);
   const std::optional<ImportedFile> given = import_bytes(asked, one.file->text, library, said);
   std::vector<std::string> reports, unused;
   std::string out;
   for (const Diagnostic& d : said.all) {
     // What the host reports of the case itself, not of a place in its file, is a fault of the case.
     if (d.code.starts_with("IG-") && d.where.file != asked.file)
-      out += fmt::format("  {}: {} [{}]\n", to_string(d.severity), d.message, d.code);
+      out += fault_line(d);
     else
       reports.push_back(fmt::format("{} {}:{}", d.code, d.where.line, d.where.column));
   }
@@ -86,8 +93,7 @@ std::string run_import_case(const Page& page, const Case& one, const std::string
     std::vector<UnusedPart> left_out;
     DiagnosticList faults;
     const std::optional<std::string> written = export_tables(asked, given->tables, library, left_out, faults);
-    for (const Diagnostic& d : faults.all)
-      out += fmt::format("  {}: {} [{}]\n", to_string(d.severity), d.message, d.code);
+    for (const Diagnostic& d : faults.all) out += fault_line(d);
     if (written) out += difference("the file written", lines_of(one.written->text), lines_of(*written));
     std::vector<std::string> parts;
     for (const UnusedPart& part : left_out) parts.push_back(part.what);

@@ -80,8 +80,7 @@ struct LinkedAlone {
   std::uint32_t position = 0;             ///< of the syntax in the chain
 };
 
-/// Links the chain in which apply() runs a syntax; `dependencies` is the XML beside a case, and may be empty. Throws
-/// std::runtime_error when it is not XML.
+/// Links the chain in which apply() runs a syntax; `dependencies` is the XML beside a case, and may be empty.
 LinkedAlone link_alone(const ig_syntax& syntax, const ig_plugin& plugin, const Surroundings& surroundings,
                        const std::string& dependencies, Library& library, DiagnosticSink& sink);
 
