@@ -31,10 +31,11 @@ std::vector<bool> reported_bytes(const std::string& text, const std::vector<Diag
 
 /// Where a word that no dialect knows may stand, or is not looked at: within a text or the name of a program, a cycle
 /// or a macro; in output for a printer, which is reported once; behind a condition, where nothing is read when it does
-/// not hold, as blocks that are jumped over are not read either; in declarations for the control alone.
+/// not hold or names a variable that is reported already, as blocks that are jumped over are not read either; in
+/// declarations for the control alone.
 bool takes_any_text(std::string_view block) {
   constexpr std::string_view words[] = {"\"",     "'",      ":",   "PRNT", "POPEN", "PCLOS", "SETVN", "PGM",
-                                        "DEFINE", "EXTERN", "MSG", "IF",   "CALL",  "[",     "LBL"};
+                                        "DEFINE", "EXTERN", "MSG", "IF",   "CALL",  "[",     "LBL",   "UNTIL"};
   std::string upper(block);
   std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
   // Behind "10.0" and "200" follows the name; of 14, 20, 30 and 32 nothing is read.

@@ -18,6 +18,7 @@ using Kind = Motion::Event;
 constexpr double written = 1.0e-6;  // mm and degrees: six decimals, and what adding to a rounded start costs
 constexpr double of_arc = 2e-4;     // mm: how far a radius that is right to six decimals moves the centre's height
 constexpr double tolerance = 0.001;
+constexpr double degrees_per_radian = 57.29577951308232;
 
 Vector place(const Axes& axes) { return {axes[0], axes[1], axes[2]}; }
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -32,6 +33,19 @@ double radius_of(const Event& arc, const Vector& point) {
   const Vector off = minus(point, arc.center);
   const double along = dot(off, arc.normal);
   return std::sqrt(std::max(0.0, dot(off, off) - along * along));
+}
+
+/// Where the path may pass its end more than once.
+bool turns(const Event& event) { return event.kind == Kind::arc && event.has_center; }
+
+/// Degrees that a straight move covers of the arc.
+double angle_of(const Event& arc, const Vector& from, const Vector& to) {
+  if (!turns(arc)) return 0;
+  const Vector a = minus(from, arc.center), b = minus(to, arc.center), &n = arc.normal;
+  const double sine =
+      n[0] * (a[1] * b[2] - a[2] * b[1]) + n[1] * (a[2] * b[0] - a[0] * b[2]) + n[2] * (a[0] * b[1] - a[1] * b[0]);
+  const double cosine = dot(a, b) - dot(a, n) * dot(b, n);
+  return std::abs(std::atan2(sine, cosine)) * degrees_per_radian;
 }
 
 /// Takes the events of both runs side by side.
@@ -122,11 +136,10 @@ class Comparison {
         return out;
       }
       out.push_back({read_, got});
+      const Vector before = place(read_);
       read_ = got->goal(read_);
-      turned += std::abs(got->sweep);
-      if (near(goal, read_) &&
-          (event.kind != Kind::arc || got->kind == Kind::feed || turned > std::abs(event.sweep) - sweep_off(event)))
-        return out;
+      turned += got->kind == Kind::arc ? std::abs(got->sweep) : angle_of(event, before, place(read_));
+      if (near(goal, read_) && (!turns(event) || turned > std::abs(event.sweep) - sweep_off(event))) return out;
     }
   }
 
@@ -162,8 +175,7 @@ class Comparison {
 
   /// How far the sweep may be off, in degrees: of a small arc, six decimals are a large part.
   double sweep_off(const Event& event) const {
-    constexpr double degrees = 57.29577951308232;
-    return 0.01 + degrees * 4 * written / std::max(radius_of(event, place(original_)), 1e-6);
+    return 0.01 + degrees_per_radian * 4 * written / std::max(radius_of(event, place(original_)), 1e-6);
   }
 
   /// Ends lie on the arc, and middles within the tolerance.

@@ -18,10 +18,17 @@ namespace isogloss::properties {
 namespace {
 
 constexpr Property properties[] = {
-    {"bytes", 100, judge_bytes},     {"foreign-words", 40, judge_foreign_words},
-    {"blanks", 100, judge_blanks},   {"order", 100, judge_order},
-    {"numbers", 100, judge_numbers}, {"canonical", 100, judge_canonical},
-    {"halves", 36, judge_halves},    {"ahead", 10, judge_ahead},
+    {"bytes", 100, judge_bytes},
+    {"foreign-words", 40, judge_foreign_words},
+    {"blanks", 100, judge_blanks},
+    {"order", 100, judge_order, true},
+    {"numbers", 100, judge_numbers},
+    {"canonical", 100, judge_canonical},
+    {"halves", 36, judge_halves},
+    {"ahead", 10, judge_ahead},
+    {"units", 100, judge_units, true},
+    {"modal", 100, judge_modal, true},
+    {"distances", 100, judge_distances, true},
 };
 
 struct Wanted {
@@ -65,7 +72,7 @@ int try_property(const Property& property, const std::string& dialect, const Wan
               broken, seconds.count());
   std::fflush(stdout);
   // A property that is tried on nothing tests nothing.
-  const bool is_empty = tried == 0 && !wanted.number && !(property.judge == judge_order && !is_iso(dialect));
+  const bool is_empty = tried == 0 && !wanted.number && (is_iso(dialect) || !property.is_of_iso);
   if (is_empty) std::printf("%s.%s: no program to try it on\n", property.name, dialect.c_str());
   return broken + (is_empty ? 1 : 0);
 }

@@ -17,9 +17,10 @@ struct Property {
   const char* name;
   int cases;  ///< for each dialect, without sanitizers
   Verdict (*judge)(const Case& program);
+  bool is_of_iso = false;  ///< of dialects whose blocks are words, and of no others
 };
 
-// One for each file *_property.cpp.
+// In the files *_property.cpp.
 Verdict judge_bytes(const Case& program);
 Verdict judge_foreign_words(const Case& program);
 Verdict judge_blanks(const Case& program);
@@ -28,5 +29,8 @@ Verdict judge_numbers(const Case& program);
 Verdict judge_canonical(const Case& program);
 Verdict judge_halves(const Case& program);
 Verdict judge_ahead(const Case& program);
+Verdict judge_units(const Case& program);
+Verdict judge_modal(const Case& program);
+Verdict judge_distances(const Case& program);
 
 }  // namespace isogloss::properties

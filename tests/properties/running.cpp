@@ -34,6 +34,23 @@ std::vector<std::size_t> beginnings_of_lines(std::string_view text) {
   return out;
 }
 
+/// A scanner may read many words in one go: where nothing stands between them but blanks, each is a piece.
+std::vector<Block::Piece> split(const Block::Piece& piece, const Block& block, std::string_view text) {
+  std::vector<Block::Piece> out;
+  std::size_t at = piece.begin;
+  const auto are_blanks = [&](std::size_t begin, std::size_t end) {
+    return begin <= end && text.substr(begin, end - begin).find_first_not_of(" \t") == std::string_view::npos;
+  };
+  for (const auto& [begin, end] : block.words) {
+    if (begin < piece.begin || end > piece.end) continue;
+    if (!are_blanks(at, begin)) return {piece};
+    out.push_back({begin, end, true, piece.is_comment, piece.is_number, piece.is_label});
+    at = end;
+  }
+  if (!are_blanks(at, piece.end)) return {piece};
+  return out;
+}
+
 }  // namespace
 
 RunOptions options_of(const Case& program) {
@@ -68,13 +85,14 @@ std::vector<Block> blocks_of(const Case& program, const std::string& text) {
     const std::size_t at = lines[std::min<std::size_t>(scanned.line, lines.size() - 1)] + scanned.column;
     Block block{scanned.line, at, at + scanned.text.size(), {}, {}};
     for (const ScannedWord& word : scanned.words) block.words.emplace_back(at + word.begin, at + word.end);
+    std::sort(block.words.begin(), block.words.end());
     for (const ScannedPiece& piece : scanned.pieces) {
       Block::Piece one{at + piece.begin, at + piece.end};
       one.is_comment = piece.reader + 1 == scanned.comment_reader;
       one.is_number = piece.reader + 1 == scanned.number_reader;
       for (const ScannedLabel& label : scanned.labels) one.is_label |= label.begin == piece.begin;
-      for (const auto& [begin, end] : block.words) one.is_word |= begin == one.begin && end == one.end;
-      block.pieces.push_back(one);
+      const std::vector<Block::Piece> parts = split(one, block, text);
+      block.pieces.insert(block.pieces.end(), parts.begin(), parts.end());
     }
     out.push_back(std::move(block));
     return true;

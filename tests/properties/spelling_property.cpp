@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
 #include <map>
 #include <set>
+#include <span>
 
 #include "property.hpp"
 #include "running.hpp"
@@ -118,14 +120,16 @@ void change_gaps(const Case& program, const std::string& text, const Block& bloc
 void widen_blanks(const Case& program, const std::string& text, const Block& block, Edits& edits) {
   const std::string_view line = std::string_view(text).substr(block.begin, block.end - block.begin);
   if (line.find('"') != std::string_view::npos || line.find("PGM") != std::string_view::npos) return;
-  for (const Block::Piece& piece : block.pieces) {
-    if (piece.is_comment || piece.is_label) continue;
-    const std::size_t end = std::min(text.find(';', piece.begin), piece.end);
-    for (std::size_t i = piece.begin + 1; i + 1 < end; ++i) {
-      const std::uint64_t choice = choice_at(program.seed, line, i - block.begin);
-      const bool is_alone = text[i] == ' ' && text[i - 1] != ' ' && text[i + 1] != ' ';
-      if (is_alone && choice % 2 == 0) edits.replace(i, i + 1, wider[(choice >> 8) % std::size(wider)]);
-    }
+  const std::size_t end = std::min(text.find(';', block.begin), block.end);
+  const auto may_grow = [&](std::size_t i) {
+    return std::none_of(block.pieces.begin(), block.pieces.end(), [i](const Block::Piece& piece) {
+      return (piece.is_comment || piece.is_label) && piece.begin <= i && i < piece.end;
+    });
+  };
+  for (std::size_t i = block.begin + 1; i + 1 < end; ++i) {
+    const std::uint64_t choice = choice_at(program.seed, line, i - block.begin);
+    const bool is_alone = text[i] == ' ' && text[i - 1] != ' ' && text[i + 1] != ' ';
+    if (is_alone && choice % 2 == 0 && may_grow(i)) edits.replace(i, i + 1, wider[(choice >> 8) % std::size(wider)]);
   }
 }
 
@@ -142,28 +146,46 @@ Verdict judge_blanks(const Case& program) {
 
 namespace {
 
-std::string address_of(std::string_view word) {
-  std::size_t end = 0;
-  while (end < word.size() && std::isalpha(static_cast<unsigned char>(word[end])) != 0) ++end;
-  std::string out(word.substr(0, end));
+std::string upper_case(std::string_view text) {
+  std::string out(text);
   std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return std::toupper(c); });
   return out;
 }
 
+std::string address_of(std::string_view word) {
+  std::size_t end = 0;
+  while (end < word.size() && std::isalpha(static_cast<unsigned char>(word[end])) != 0) ++end;
+  return upper_case(word.substr(0, end));
+}
+
 bool is_code(const std::string& address) { return address == "G" || address == "M"; }
+
+/// Whether the word is one of these codes, however it is written: G4, G04, G4.
+bool is_code_of(std::string_view word, char letter, std::span<const int> numbers) {
+  if (word.empty() || std::toupper(static_cast<unsigned char>(word[0])) != letter) return false;
+  const double number = std::strtod(std::string(word.substr(1)).c_str(), nullptr);
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
 
 /// Codes whose words are those that follow them: a program call, a macro call, values for a table.
 bool owns_what_follows(std::string_view word) {
-  constexpr std::string_view codes[] = {"G10", "G65", "G66", "G67", "M97", "M98", "M99", "M198"};
-  std::string upper(word);
-  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
-  return std::find(std::begin(codes), std::end(codes), upper) != std::end(codes);
+  constexpr int g[] = {10, 65, 66, 67}, m[] = {97, 98, 99, 198};
+  return is_code_of(word, 'G', g) || is_code_of(word, 'M', m);
+}
+
+/// Codes with words of their own, which another one of them may want, too: which of two gets a word depends on where it
+/// stands.
+bool has_own_words(std::string_view word) {
+  constexpr int numbers[] = {4,  12, 13, 27, 28, 29, 30, 31, 36, 37, 45, 46, 47, 48, 50, 51, 52,  68,  70, 71,
+                             72, 73, 74, 76, 77, 81, 82, 83, 84, 85, 86, 87, 88, 89, 92, 93, 100, 101, 150};
+  return is_code_of(word, 'G', numbers);
 }
 
 /// The places of the words that may change places; fewer than two: none may.
 std::vector<std::size_t> free_words(const std::string& text, const Block& block) {
   std::vector<std::size_t> out;
   std::set<std::string> addresses;
+  int owners = 0;
   for (std::size_t i = 0; i < block.pieces.size(); ++i) {
     const Block::Piece& piece = block.pieces[i];
     if (piece.is_number && i == 0) continue;
@@ -171,6 +193,7 @@ std::vector<std::size_t> free_words(const std::string& text, const Block& block)
     const std::string address = address_of(text_of(text, piece));
     // A statement, a label or a comment in between belongs where it stands.
     if (!piece.is_word || address.empty() || owns_what_follows(text_of(text, piece))) return {};
+    if (has_own_words(text_of(text, piece)) && ++owners > 1) return {};
     // Of words with one address the last one, or each in its order, counts.
     if (!is_code(address) && !addresses.insert(address).second) return {};
     out.push_back(i);
@@ -210,11 +233,10 @@ Verdict judge_order(const Case& program) {
 namespace {
 
 /// Words of programs that find blocks by their numbers.
-constexpr const char* jumping[] = {"GOTO", "M97", "M98", "M99", "G65", "G66", "CALL", "REPEAT", "NLAP", "RTS"};
+constexpr const char* jumping[] = {"GO", "M97", "M98", "M99", "G65", "G66", "CALL", "REPEAT", "NLAP", "RTS"};
 
 bool may_jump(const std::string& text) {
-  std::string upper = text;
-  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  const std::string upper = upper_case(text);
   return std::any_of(std::begin(jumping), std::end(jumping),
                      [&](const char* word) { return upper.find(word) != std::string::npos; });
 }
