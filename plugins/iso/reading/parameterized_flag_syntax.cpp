@@ -1,6 +1,8 @@
 // Codes that own words: X in `G81 X5. R2.` is the cycle's X, X in `G28 X5.` the intermediate point. Each code that a
 // syntax declares with words of its own gets those words of the block; the other words stay with the block. Where
 // several such codes own an address, the nearest one before the word gets it, else the first one of the block.
+#include <isogloss/cnc/cycle_codes.hpp>
+
 #include "reading/owned_words.hpp"
 
 namespace iso {
@@ -22,6 +24,8 @@ struct ParameterizedFlagSyntax {
   WordRow block = row_of_block(addresses);
   std::vector<ig_field> owners = owner_codes();
   std::vector<std::vector<ig_field>> sources = source_words();
+  ig::MatchedFields cycles{"Parsing.*{" + std::string(ig::cnc::cycle_kind) + "}", ig::read, IG_CODE};
+  std::vector<bool> is_cycle = cycle_rows();  ///< for each of `rows`
 
   ig::Status build(ig::Block& b) const {
     std::uint32_t found = 0;
@@ -34,6 +38,13 @@ struct ParameterizedFlagSyntax {
   std::vector<ig_field> owner_codes() const {
     std::vector<ig_field> out;
     for (const WordRow& row : rows) out.push_back(row.code);
+    return out;
+  }
+
+  std::vector<bool> cycle_rows() const {
+    std::vector<bool> out(rows.size());
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      for (std::size_t i = 0; i < cycles.size(); ++i) out[row] = out[row] || cycles.id(i) == rows[row].code;
     return out;
   }
 
@@ -86,7 +97,7 @@ struct ParameterizedFlagSyntax {
       const Choice chosen = owner_of(block.letters[i], place.begin, {owners_here.data(), count});
       if (chosen.owner == nullptr) continue;
       const WordRow& owner = rows[chosen.owner->row];
-      if (chosen.other != nullptr)
+      if (chosen.other != nullptr && !brings_its_words(chosen, place.begin))
         b.report(ig::diag("ISO-0593"), ig::Where::word(block.words[i]), std::string_view(&block.letters[i], 1),
                  owner.name, rows[chosen.other->row].name);
       b.move(block.words[i], owner.word(block.letters[i]));
@@ -99,6 +110,11 @@ struct ParameterizedFlagSyntax {
     const Owner* owner = nullptr;  ///< null: no code owns the address
     const Owner* other = nullptr;  ///< another code that owns it; null: there is none
   };
+
+  /// Behind a cycle, words are those of the code between: G82 Z-3. R1. G70 I10. L6 drills a pattern of holes.
+  bool brings_its_words(const Choice& chosen, std::uint32_t begin) const {
+    return chosen.owner->begin < begin && is_cycle[chosen.other->row] && !is_cycle[chosen.owner->row];
+  }
 
   /// The nearest code before the column that owns the address, else the first code that owns it.
   Choice owner_of(char letter, std::uint32_t begin, std::span<const Owner> in_order) const {
