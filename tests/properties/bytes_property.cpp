@@ -89,7 +89,8 @@ Verdict judge_foreign_words(const Case& program) {
   for (const Block& block : blocks_of(program, text)) {
     if (!before.lines.contains(block.line) || block.pieces.empty()) continue;
     const std::string_view line = std::string_view(text).substr(block.begin, block.end - block.begin);
-    is_curve = (is_curve || line.find("CTABDEF") != line.npos) && line.find("CTABEND") == line.npos;
+    is_curve =
+        (is_curve || line.find("CTABDEF") != std::string_view::npos) && line.find("CTABEND") == std::string_view::npos;
     if (is_curve) continue;
     const std::uint64_t choice = choice_at(program.seed, line, 0);
     if (choice % 4 != 0) continue;  // a run for each of them is what takes the time
