@@ -521,9 +521,8 @@ def main():
     parser.add_argument("--bad-plugins", required=True)
     parser.add_argument("--seconds", type=float, default=30)
     parser.add_argument("--programs", type=int, default=25)
-    parser.add_argument("tests", nargs="*")
-    options = parser.parse_args()
-    unittest.main(argv=["lsp_test.py"] + options.tests)
+    options, rest = parser.parse_known_args()
+    unittest.main(argv=["lsp_test.py", *rest])
 
 
 main()
