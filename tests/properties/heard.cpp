@@ -30,13 +30,16 @@ std::string difference_of(const Event& one, const Event& other, bool compares_fe
   return is_close(one.sweep, other.sweep) ? "" : "another sweep";
 }
 
-/// The lines in which a rotary axis turns: F of all their moves counts degrees.
+/// The lines in which a rotary axis turns, or has a place for the first time: F of all their moves counts degrees.
 std::set<std::uint32_t> turning_lines(const Events& events) {
   std::set<std::uint32_t> out;
   Axes at{};
+  std::set<unsigned> known;
   for (const Event& event : events) {
     const Axes to = event.goal(at);
-    if (!std::equal(at.begin() + 3, at.end(), to.begin() + 3)) out.insert(event.line);
+    bool turns = !std::equal(at.begin() + 3, at.end(), to.begin() + 3);
+    for (unsigned axis = 3; axis < 6; ++axis) turns |= event.machine.has(axis) && known.insert(axis).second;
+    if (turns) out.insert(event.line);
     at = to;
   }
   return out;

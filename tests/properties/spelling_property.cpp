@@ -107,8 +107,9 @@ void change_gaps(const Case& program, const std::string& text, const Block& bloc
     // What nothing has read may stand there, or the end of a line.
     if (text.substr(left.end, right.begin - left.end).find_first_not_of(" \t") != std::string::npos) continue;
     const std::uint64_t choice = choice_at(program.seed, text_of(text, right), i);
-    const bool may_close =
-        std::isalpha(static_cast<unsigned char>(text[right.begin])) != 0 && left.is_word && right.is_word;
+    const bool is_exponent = std::toupper(static_cast<unsigned char>(text[right.begin])) == 'E';
+    const bool may_close = std::isalpha(static_cast<unsigned char>(text[right.begin])) != 0 && !is_exponent &&
+                           left.is_word && right.is_word;
     if (may_close && choice % 3 == 0)
       edits.replace(left.end, right.begin, "");
     else if (choice % 3 != 2)
