@@ -21,14 +21,14 @@ constexpr Property properties[] = {
     {"bytes", 100, judge_bytes},
     {"foreign-words", 40, judge_foreign_words},
     {"blanks", 100, judge_blanks},
-    {"order", 100, judge_order, true},
+    {"order", 100, judge_order, is_iso},
     {"numbers", 100, judge_numbers},
     {"canonical", 100, judge_canonical},
     {"halves", 36, judge_halves},
     {"ahead", 10, judge_ahead},
-    {"units", 100, judge_units, true},
-    {"modal", 100, judge_modal, true},
-    {"distances", 100, judge_distances, true},
+    {"units", 100, judge_units, has_plain_words},
+    {"modal", 100, judge_modal, has_plain_words},
+    {"distances", 100, judge_distances, has_plain_words},
 };
 
 struct Wanted {
@@ -72,7 +72,7 @@ int try_property(const Property& property, const std::string& dialect, const Wan
               broken, seconds.count());
   std::fflush(stdout);
   // A property that is tried on nothing tests nothing.
-  const bool is_empty = tried == 0 && !wanted.number && (is_iso(dialect) || !property.is_of_iso);
+  const bool is_empty = tried == 0 && !wanted.number && (property.fits == nullptr || property.fits(dialect));
   if (is_empty) std::printf("%s.%s: no program to try it on\n", property.name, dialect.c_str());
   return broken + (is_empty ? 1 : 0);
 }

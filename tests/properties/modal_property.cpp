@@ -82,7 +82,7 @@ Verdict judged(const Case& program, const Texts& texts, const std::string& chang
 
 /// The code in force, written again in a block that moves by it.
 Verdict judge_modal(const Case& program) {
-  if (!is_iso(program.dialect)) return {};
+  if (!has_plain_words(program.dialect)) return {};
   const std::string text = program.text();
   Texts texts;
   MotionInForce motion;
@@ -94,7 +94,7 @@ Verdict judge_modal(const Case& program) {
     motion.see(*plain);
     std::string again;
     if (before && only_moves(*plain, {17, 18, 19, 54, 55, 90, 91, 94, 95, 98, 99})) {
-      again = "G" + decimal(*before);
+      again = "G" + std::to_string(static_cast<int>(*before));
       texts.is_changed = true;
     }
     texts.plain += plain->text() + "\n";
@@ -170,9 +170,9 @@ std::string text_of(const PlainBlock& block, const Vector& from) {
 
 /// Positions written as distances from where the program stands.
 Verdict judge_distances(const Case& program) {
-  if (!is_iso(program.dialect)) return {};
+  if (!has_plain_words(program.dialect)) return {};
   const auto lines = lines_of_positions(program, program.text());
-  constexpr const char* first = "G21 G90\n";
+  const std::string first = program.dialect == "siemens" ? "G710 G90\n" : "G21 G90\n";
   Texts texts{first, first};
   for (const auto& [block, is_free] : lines) texts.plain += (is_free ? "G90 " : "") + text_of(block, {});
   Places places;

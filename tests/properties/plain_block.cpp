@@ -11,7 +11,7 @@ namespace {
 const Codes modes{0,  1,    2,  3,    4,  17, 18, 19, 27, 28, 29, 30, 40,   41, 42, 43, 43.4, 44, 49, 50, 51, 52,
                   53, 53.1, 54, 54.1, 55, 56, 57, 58, 59, 61, 64, 68, 68.2, 69, 80, 90, 91,   92, 94, 95, 98, 99};
 const Codes cycles{73, 74, 76, 81, 82, 83, 84, 85, 86, 87, 88, 89};
-const Codes units{20, 21, 70, 71};
+const Codes units{20, 21, 70, 71, 700, 710};
 
 /// A letter and a decimal number, as "X-10.5".
 std::optional<PlainWord> word_of(std::string_view text) {
@@ -33,6 +33,8 @@ bool is_known(const PlainBlock& block, const std::string& dialect) {
   // Words of an M code, such as the angle of M19 R, and axes that share a block with a dwell.
   if (block.has('M') && block.has_any_of("IJKQR")) return false;
   if (block.has_code({4}) && (block.codes.size() > 1 || block.has_any_of("YZIJKQRF"))) return false;
+  // There, X beside a dwell is an axis, and G74 no cycle.
+  if (dialect == "siemens" && (block.is_cycle() || (block.has_code({4}) && block.has('X')))) return false;
   // Scaling on the others.
   if (dialect == "okuma" && block.has_code({51})) return false;
   // Of a modal block, J may be the ratio of a tapping cycle.

@@ -115,6 +115,8 @@ const std::vector<std::string>& dialect_names() {
   return names;
 }
 
+bool has_plain_words(std::string_view dialect) { return dialect != "heidenhain"; }
+
 bool is_iso(std::string_view dialect) { return dialect != "siemens" && dialect != "heidenhain"; }
 
 Case make_case(const std::string& dialect, std::uint64_t seed, std::uint64_t number) {

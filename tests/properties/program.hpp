@@ -36,6 +36,8 @@ struct Case {
 const std::vector<std::string>& dialect_names();
 /// Whether its blocks are words, one letter and a number each.
 bool is_iso(std::string_view dialect);
+/// Whether most of its blocks are such words, beside names and statements.
+bool has_plain_words(std::string_view dialect);
 
 /// The program of this number: the same one whatever ran before.
 Case make_case(const std::string& dialect, std::uint64_t seed, std::uint64_t number);

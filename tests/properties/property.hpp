@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "program.hpp"
 
@@ -17,7 +18,7 @@ struct Property {
   const char* name;
   int cases;  ///< for each dialect, without sanitizers
   Verdict (*judge)(const Case& program);
-  bool is_of_iso = false;  ///< of dialects whose blocks are words, and of no others
+  bool (*fits)(std::string_view dialect) = nullptr;  ///< null: each dialect
 };
 
 // In the files *_property.cpp.

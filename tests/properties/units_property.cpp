@@ -30,12 +30,13 @@ bool is_length(const PlainBlock& block, char address, const std::string& dialect
 
 /// The program in two units, line by line the same.
 struct Pair {
-  std::string metric = "G21\n", inch = "G20\n";
+  std::string metric, inch;
   bool has_lengths = false;
 };
 
 Pair in_both_units(const Case& program) {
-  Pair out;
+  const bool is_siemens = program.dialect == "siemens";
+  Pair out{is_siemens ? "G710\n" : "G21\n", is_siemens ? "G700\n" : "G20\n"};
   const std::string text = program.text();
   for (const Block& block : blocks_of(program, text)) {
     const auto plain = plain_block(program, text, block);
@@ -56,7 +57,7 @@ Pair in_both_units(const Case& program) {
 }  // namespace
 
 Verdict judge_units(const Case& program) {
-  if (!is_iso(program.dialect)) return {};
+  if (!has_plain_words(program.dialect)) return {};
   const Pair texts = in_both_units(program);
   if (!texts.has_lengths) return {};
   std::string fault = difference_of(heard(program, texts.metric), heard(program, texts.inch), "in mm", "in inches",
