@@ -128,7 +128,7 @@ struct CircularMotion {
   void by_radius(ig::Block& b, const Path& path, double radius, bool is_ccw) const {
     if ((path.end() - path.start()).length() < same_point_mm) {
       b.report(ig::diag("ISO-0323"), ig::Where::word(r_.id()));
-      if (path.length() >= same_point_mm) motion_.feed(b, [&] { return path.length(); });
+      straight(b, path);
       return;
     }
     // Programs round R and the end point: 0.001 mm is accepted even where no tolerance is set.
@@ -147,7 +147,7 @@ struct CircularMotion {
     const double at_start = (start - center).length(), at_end = (end - center).length();
     if (at_start < same_point_mm) {
       b.report(ig::diag("ISO-0324"), ig::Where::block());
-      if (path.length() >= same_point_mm) motion_.feed(b, [&] { return path.length(); });
+      straight(b, path);
       return;
     }
     if (tolerance_ > 0 && std::fabs(at_end - at_start) > tolerance_) {
@@ -172,6 +172,11 @@ struct CircularMotion {
       b.report(ig::diag("ISO-0513"), ig::Where::block());
     }
     motion_.feed(b, [&] { return path.length(); });
+  }
+
+  /// In place of the arc, where the third axis or a rotary axis moves.
+  void straight(ig::Block& b, const Path& path) const {
+    if (path.length() >= same_point_mm || b.is_raised(turns_)) motion_.feed(b, [&] { return path.length(); });
   }
 
   void while_turning(ig::Block& b, const Path& path) const {
