@@ -26,6 +26,7 @@ constexpr Property properties[] = {
     {"canonical", 100, judge_canonical},
     {"halves", 36, judge_halves},
     {"ahead", 10, judge_ahead},
+    {"machine", 100, judge_machine},
     {"units", 100, judge_units, has_plain_words},
     {"modal", 100, judge_modal, has_plain_words},
     {"distances", 100, judge_distances, has_plain_words},

@@ -182,7 +182,8 @@ Verdict judge_distances(const Case& program) {
   bool is_back = true;  // to G90
   for (const auto& [block, is_free] : lines) {
     const Vector* const from = is_free ? places.behind(line) : nullptr;
-    const bool is_known = from != nullptr && std::isfinite((*from)[0] + (*from)[1] + (*from)[2]);
+    // Far away, a distance has not the digits that the position has.
+    const bool is_known = from != nullptr && std::hypot((*from)[0], (*from)[1], (*from)[2]) < 1e6;
     const bool says_it = block.has_code({90, 91});
     texts.changed += is_known ? "G91 " : is_free || (!is_back && !says_it) ? "G90 " : "";
     texts.changed += text_of(block, is_known ? *from : Vector{});

@@ -30,6 +30,7 @@ Verdict judge_numbers(const Case& program);
 Verdict judge_canonical(const Case& program);
 Verdict judge_halves(const Case& program);
 Verdict judge_ahead(const Case& program);
+Verdict judge_machine(const Case& program);
 Verdict judge_units(const Case& program);
 Verdict judge_modal(const Case& program);
 Verdict judge_distances(const Case& program);
