@@ -93,7 +93,8 @@ Verdict judge_machine(const Case& program) {
       },
       {});
   DiagnosticList said;
-  const std::unique_ptr<Source> source = memory_source(program.text());
+  const std::string text = program.text();
+  const std::unique_ptr<Source> source = memory_source(text);
   run(product::dialect(program.dialect), *source, "program", options_of(program), {&watch, listener.get()}, said);
   // Behind this alarm the blocks forget the tool's distance from the contour before a move takes it there.
   const auto changes_plane = [](const Diagnostic& d) { return d.code == "ISO-0471"; };
