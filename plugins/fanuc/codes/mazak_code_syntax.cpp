@@ -1,8 +1,8 @@
 /// Functions of Mazak's EIA/ISO programs that are recognised but not executed. D of a canned cycle is among them: it is
 /// a distance there, not a tool radius number.
 #include <isogloss/cnc/cycle_codes.hpp>
+#include <isogloss/cnc/cycle_in_force.hpp>
 #include <isogloss/cnc/recognised_codes.hpp>
-#include <isogloss/cnc/repeat_count.hpp>
 #include <isogloss/sdk.hpp>
 
 namespace fanuc {
@@ -29,10 +29,10 @@ struct MazakCode {
 
   ig::Word d_{"Parsing.D", ig::take | ig::wake, ""};
   CycleCalls cycles_{"", ig::read};
-  RepeatCount modal_cycle_;
+  CycleInForce cycle_;
 
   ig::Status build(ig::Block& b) {
-    const bool is_hole = b.find(cycles_) || modal_cycle_.is_k(b);
+    const bool is_hole = b.find(cycles_) || cycle_.is_on(b);
     const auto d = is_hole ? b.take(d_) : std::nullopt;
     if (d) b.report(ig::diag("FAN-0202"), ig::Where::word(d_.id()), *d);
     return codes_.report(b) || d ? ig::Status::changed : ig::Status::unchanged;

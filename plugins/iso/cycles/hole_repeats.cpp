@@ -11,7 +11,7 @@ int HoleRepeats::read_count(ig::Block& b, const ig_field* words, const CycleWord
   const std::string_view letter = CycleBlock::letters.substr(address, 1);
   const ig_field field = words[address];
   if (by_k && in.has(Address::L)) b.report(ig::diag("ISO-0315"), ig::Where::word(words[Address::L]));
-  const double k = in.get_or(address, 1);  // a count: RepeatCount keeps units and increments away from it
+  const double k = in.get_or(address, 1);  // a count: units and increments are kept away from it
   if (!(k >= 0) || k != std::floor(k)) {
     b.report(ig::diag("ISO-0313"), ig::Where::word(field), letter, k);
     return 1;

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include <isogloss/cnc/cycle_codes.hpp>
-#include <isogloss/cnc/repeat_count.hpp>
+#include <isogloss/cnc/cycle_in_force.hpp>
+#include <isogloss/cnc/cycle_letters.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -37,7 +38,7 @@ struct UnitMode {
   // F under G93 is a time, and K of a repeated canned cycle a count: neither is a length.
   ig::Codes feed_modes_{{"G93", "G94", "G95"}, ig::read};
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
-  RepeatCount repeat_count_;
+  CycleInForce cycle_;
   CycleK cycle_k_;
   TappingJ tapping_j_;
   CycleCalls cycle_ks_{"K[1]", ig::read | ig::write};
@@ -111,7 +112,7 @@ struct UnitMode {
 
   bool to_metric(ig::Block& b) const {
     const bool inverse_time = is_inverse_time(b);
-    const bool in_cycle = repeat_count_.is_k(b);
+    const bool in_cycle = cycle_.is_on(b);
     const bool k_is_count = !cycle_k_.is_length() && in_cycle;
     const bool j_is_ratio = in_cycle && tapping_j_.is_ratio(b);
     bool any = false;

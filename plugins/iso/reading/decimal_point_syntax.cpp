@@ -4,8 +4,9 @@
 // both types, since the same program means two things.
 #include <cmath>
 
+#include <isogloss/cnc/cycle_in_force.hpp>
+#include <isogloss/cnc/cycle_letters.hpp>
 #include <isogloss/cnc/further_axes.hpp>
-#include <isogloss/cnc/repeat_count.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "reading/owned_words.hpp"
@@ -64,7 +65,7 @@ struct DecimalPointSyntax {
   Row cycle_block = cycle_k.is_length() ? block : without('K', block);
   Row tapping_block = without('J', cycle_block);
   Row further = row_of_further_axes();
-  RepeatCount repeat_count;
+  CycleInForce cycle;
   bool changes_nothing = rule == Rule::as_written && resolution == Resolution::keep;
   std::vector<Row> rows = changes_nothing ? std::vector<Row>() : measured(rows_of(codes, words));
 
@@ -90,7 +91,7 @@ struct DecimalPointSyntax {
 
   ig::Status build(ig::Block& b) const {
     if (changes_nothing) return ig::Status::unchanged;
-    bool changed = read_row(b, !repeat_count.is_k(b) ? block : tapping_j.is_ratio(b) ? tapping_block : cycle_block);
+    bool changed = read_row(b, !cycle.is_on(b) ? block : tapping_j.is_ratio(b) ? tapping_block : cycle_block);
     if (!further.words.empty()) changed |= read_row(b, further);
     for (const Row& row : rows) {
       ig_value present;

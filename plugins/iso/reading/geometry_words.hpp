@@ -3,7 +3,7 @@
 #pragma once
 
 #include <isogloss/cnc/cycle_codes.hpp>
-#include <isogloss/cnc/repeat_count.hpp>
+#include <isogloss/cnc/cycle_in_force.hpp>
 #include <isogloss/sdk.hpp>
 
 namespace iso {
@@ -22,7 +22,7 @@ class GeometryWords {
   std::optional<Here> find(const ig::Block& b) const {
     if (b.find(machine_select_)) return std::nullopt;
     if (const auto row = b.find(cycles_)) return Here{cycles_.row(*row), cycles_.word(*row, 'R'), true};
-    return Here{axes_.ids(), r_.id(), repeats_.is_k(b) && !b.find(cancel_)};
+    return Here{axes_.ids(), r_.id(), cycle_.is_on(b)};
   }
   /// I, J and K of an arc.
   const std::array<ig_field, 3>& centers() const { return centers_; }
@@ -49,9 +49,8 @@ class GeometryWords {
                                    ig::Word("Parsing.J", ig::read | ig::write).id(),
                                    ig::Word("Parsing.K", ig::read | ig::write).id()};
   ig::Codes machine_select_{{"G53"}, ig::read};
-  ig::Codes cancel_{{"G80"}, ig::read};
   ig::Codes untouched_{{"G27", "G28", "G29", "G30", "G52", "G53", "G92"}, ig::read};
-  RepeatCount repeats_;
+  CycleInForce cycle_;
 };
 
 }  // namespace iso

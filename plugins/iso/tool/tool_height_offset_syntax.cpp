@@ -1,6 +1,8 @@
 /// G43, G44, G49 and H: tool length compensation, between the programmed point and the machine coordinates. G43 adds
 /// the length of row H (geometry and wear) along the tool axis, G44 subtracts it, G49 and H0 end it. H is modal: a new
 /// H under G43 is a new length.
+#include <algorithm>
+
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/cycle_in_force.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
@@ -45,8 +47,12 @@ struct ToolHeightOffset {
                                  ig::read | ig::write | ig::wake_while,
                                  {ig::Life::modal, "mm", "Change of the length that the next Z under G91 moves by."}};
   ig::Word z_{"Parsing.Z", ig::read | ig::write};
-  CycleCalls other_z_{"Z", ig::read, {"G28", "G30"}};
+  ig::Call returns_{{"G28", "G30"}, "Z", ig::read};
+  CycleCalls cycles_{"X Y Z R", ig::read};
   CycleInForce cycle_;
+  std::array<ig::Word, 6> places_{ig::Word{"Parsing.X", ig::read},        ig::Word{"Parsing.Y", ig::read},
+                                  ig::Word{"Parsing.R", ig::read},        ig::Word{"Parsing.A", ig::read, "deg"},
+                                  ig::Word{"Parsing.B", ig::read, "deg"}, ig::Word{"Parsing.C", ig::read, "deg"}};
   ig::Codes machine_select_{{"G53"}, ig::read};
   DistanceMode distance_;
   ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
@@ -117,19 +123,32 @@ struct ToolHeightOffset {
     if (under_g91_ == LengthUnderG91::position) return false;
     const double pending = b.get_or(untravelled_, 0.0) + change;
     if (pending == 0 && !b.has(untravelled_)) return false;
-    const auto other = b.find(other_z_);
     const auto z = b.get(z_);
-    ig_value unused;
     const bool is_increment = distance_.is_incremental(b), is_by_machine = b.find(machine_select_).has_value();
-    const bool ends = (z && !(is_increment && is_by_machine)) || (other && b.get(other_z_.row(*other)[0], unused));
+    const bool is_hole = drills(b);
+    const bool ends = (z && !(is_increment && is_by_machine)) || is_hole || returns_along_z(b);
     const bool is_along_z = tool_axis(b) == ig::Vec3{0, 0, 1};
     if (!ends && is_along_z && pending != 0) {
       b.set(untravelled_, pending);
       return true;
     }
-    if (z && is_along_z && is_increment && !cycle_.is_on(b)) b.rewrite(z_.id(), *z + pending);
+    if (z && is_along_z && is_increment && !is_hole) b.rewrite(z_.id(), *z + pending);
     b.erase(untravelled_);
     return true;
+  }
+
+  bool returns_along_z(const ig::Block& b) const {
+    const auto row = b.find(returns_);
+    ig_value unused;
+    return row && b.get(returns_.word(*row, 'Z'), unused);
+  }
+  /// The tool goes to the levels of a hole, in its new length.
+  bool drills(const ig::Block& b) const {
+    const auto row = b.find(cycles_);
+    ig_value unused[4];
+    if (row && b.get_many(cycles_.row(*row), 4, unused) != 0) return true;
+    const auto is_named = [&](const ig::Word& word) { return b.has(word); };
+    return (row || cycle_.is_on(b)) && (b.has(z_) || std::any_of(places_.begin(), places_.end(), is_named));
   }
 
   /// The tool axis: ToolOrientation where G53.1 has turned the tool, else Z of the rotated system or of the machine.

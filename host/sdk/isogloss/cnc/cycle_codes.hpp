@@ -18,6 +18,9 @@ inline constexpr std::array<std::string_view, 13> cycle_codes = {"G73", "G74", "
 /// The unit that a CannedCycle gives to its codes; syntaxes for all canned cycles find the codes by it.
 inline constexpr std::string_view cycle_kind = "canned-cycle";
 
+/// The kind of a code that repeats the canned cycle of its block, or the one in force, and has its words before it.
+inline constexpr std::string_view hole_pattern_kind = "hole-pattern";
+
 /// A Call with the words of all canned cycles of a chain: rows first for the codes in `before`, then for those of group
 /// 09, then for each further code that a CannedCycle of any plugin declares.
 class CycleCalls : public Call {

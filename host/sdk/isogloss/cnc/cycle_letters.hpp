@@ -3,7 +3,6 @@
 /// and the modal state decides.
 #pragma once
 
-#include "isogloss/cnc/cycle_in_force.hpp"
 #include "isogloss/sdk.hpp"
 
 namespace ig::cnc {
@@ -33,16 +32,6 @@ class TappingJ {
                      "J of G74 and G84 is a length, or how much faster the tap leaves."};
   In<Symbol> cycle_{"CannedCycle.Term"};
   Name g74_{"G74"}, g84_{"G84"};
-};
-
-/// A member of each syntax that must tell whether a lone K is a count.
-class RepeatCount {
- public:
-  /// True when K of the block itself is a count: it stands for holes of an earlier call.
-  bool is_k(const Block& b) const { return cycle_.is_on(b); }
-
- private:
-  CycleInForce cycle_;
 };
 
 }  // namespace ig::cnc

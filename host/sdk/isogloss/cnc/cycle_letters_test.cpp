@@ -1,4 +1,4 @@
-#include "isogloss/cnc/repeat_count.hpp"
+#include "isogloss/cnc/cycle_letters.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -30,26 +30,4 @@ TEST_CASE("J of a block without a code is a ratio only while a tapping cycle is 
   }
   document.carry_name("CannedCycle.Term", "G81");
   CHECK_FALSE(ratio.is_ratio(block));
-}
-
-TEST_CASE("K alone in a block is a count while a canned cycle is active") {
-  BlockDocument document;
-  const auto repeats = document.member<RepeatCount>();
-  const ig::Block block = document.block();
-  CHECK_FALSE(repeats.is_k(block));
-  document.carry_name("CannedCycle.Term", "G81");
-  CHECK(repeats.is_k(block));
-  document.carry_name("CannedCycle.Term", "G80");
-  CHECK_FALSE(repeats.is_k(block));
-}
-
-TEST_CASE("K is no count in a block whose motion code ends the canned cycle") {
-  for (const char* motion : {"G00", "G01", "G02", "G03", "G33"}) {
-    CAPTURE(motion);
-    BlockDocument document;
-    const auto repeats = document.member<RepeatCount>();
-    document.carry_name("CannedCycle.Term", "G81");
-    document.put_code(std::string("Parsing.Flags.") + motion);
-    CHECK_FALSE(repeats.is_k(document.block()));
-  }
 }
