@@ -161,7 +161,7 @@ std::string address_of(std::string_view word) {
 
 bool is_code(const std::string& address) { return address == "G" || address == "M"; }
 
-/// Whether the word is one of these codes, however it is written: G4, G04, G4.
+/// Whether the word is one of these codes, however it is written: G4, G04 or G4.0.
 bool is_code_of(std::string_view word, char letter, std::span<const int> numbers) {
   if (word.empty() || std::toupper(static_cast<unsigned char>(word[0])) != letter) return false;
   const double number = std::strtod(std::string(word.substr(1)).c_str(), nullptr);
@@ -177,8 +177,8 @@ bool owns_what_follows(std::string_view word) {
 /// Codes with words of their own, which another one of them may want, too: which of two gets a word depends on where it
 /// stands.
 bool has_own_words(std::string_view word) {
-  constexpr int numbers[] = {4,  12, 13, 27, 28, 29, 30, 31, 36, 37, 45, 46, 47, 48, 50, 51, 52,  68,  70, 71,
-                             72, 73, 74, 76, 77, 81, 82, 83, 84, 85, 86, 87, 88, 89, 92, 93, 100, 101, 150};
+  constexpr int numbers[] = {4,  12, 13, 27, 28, 29, 30, 31, 36, 37, 45, 46, 47, 48, 50, 51,  52,  68,
+                             73, 74, 76, 77, 81, 82, 83, 84, 85, 86, 87, 88, 89, 92, 93, 100, 101, 150};
   return is_code_of(word, 'G', numbers);
 }
 

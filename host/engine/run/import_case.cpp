@@ -62,11 +62,11 @@ std::string run_import_case(const Page& page, const Case& one, const std::string
           {line.substr(0, equals), equals == std::string::npos ? "" : line.substr(equals + 1), asked.where});
     }
   std::optional<CaseDependencies> machine;
-  if (one.dependencies)
+  if (one.dependencies) {
     machine = read_case_dependencies(one.dependencies->text, page.syntax, {file, one.dependencies->line, 0}, said);
-  if (one.dependencies && !machine) return fault_line(said.all.back());
-  if (machine)
+    if (!machine) return fault_line(said.all.back());
     for (const DependencyElement& table : machine->dependencies) asked.machine_tables.push_back(&table);
+  }
   const std::optional<ImportedFile> given = import_bytes(asked, one.file->text, library, said);
   std::vector<std::string> reports, unused;
   std::string out;

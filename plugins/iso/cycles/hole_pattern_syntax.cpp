@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <isogloss/cnc/canned_cycle.hpp>
+#include <isogloss/cnc/cycle_in_force.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -28,13 +29,11 @@ struct HolePattern {
   };
 
   enum Row : std::size_t { circle, arc, line };
-  ig::Call patterns_{{"G70", "G71", "G72"}, "I J[deg] K[deg] L[1]"};
+  ig::Call patterns_{{"G70", "G71", "G72"}, "I J[deg] K[deg] L[1]", ig::take | ig::wake, hole_pattern_kind};
   CycleCalls cycles_{"X Y Z L[1]", ig::read | ig::write};
   ig::Xyz words_{"Parsing", ig::read | ig::write};
   ig::Word l_{"Parsing.L", ig::write, ""};
-  ig::Codes enders_{{"G80", "G00", "G01", "G02", "G03", "G33"}, ig::read};
-  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
-  ig::Name cancelled_{"G80"};
+  CycleInForce cycle_;
   ig::Out<ig::Symbol> term_{"HolePattern.Term"};
   ig::Xyz center_{"HolePattern.Center", ig::write};
   ig::Out<double> turn_{"HolePattern.Turn_deg"};
@@ -50,8 +49,7 @@ struct HolePattern {
     const auto words = *b.take(patterns_);
     const ig::Symbol name = patterns_.name(*row);
     const auto called = b.find(cycles_);
-    const bool is_on = b.has(cycle_) && !b.is(cycle_, cancelled_) && !b.find(enders_);
-    if (!called && !is_on) {
+    if (!called && !cycle_.is_on(b)) {
       b.report(ig::diag("ISO-0355"), ig::Where::word(code), b.text(name));
       return ig::Status::changed;
     }

@@ -24,8 +24,8 @@ struct ParameterizedFlagSyntax {
   WordRow block = row_of_block(addresses);
   std::vector<ig_field> owners = owner_codes();
   std::vector<std::vector<ig_field>> sources = source_words();
-  ig::MatchedFields cycles{"Parsing.*{" + std::string(ig::cnc::cycle_kind) + "}", ig::read, IG_CODE};
-  std::vector<bool> is_cycle = cycle_rows();  ///< for each of `rows`
+  // For each of `rows`
+  std::vector<bool> is_cycle = rows_of_kind(ig::cnc::cycle_kind), is_pattern = rows_of_kind(ig::cnc::hole_pattern_kind);
 
   ig::Status build(ig::Block& b) const {
     std::uint32_t found = 0;
@@ -41,10 +41,11 @@ struct ParameterizedFlagSyntax {
     return out;
   }
 
-  std::vector<bool> cycle_rows() const {
+  std::vector<bool> rows_of_kind(std::string_view kind) const {
+    const ig::MatchedFields of_kind("Parsing.*{" + std::string(kind) + "}", ig::read, IG_CODE);
     std::vector<bool> out(rows.size());
     for (std::size_t row = 0; row < rows.size(); ++row)
-      for (std::size_t i = 0; i < cycles.size(); ++i) out[row] = out[row] || cycles.id(i) == rows[row].code;
+      for (std::size_t i = 0; i < of_kind.size(); ++i) out[row] = out[row] || of_kind.id(i) == rows[row].code;
     return out;
   }
 
@@ -97,7 +98,7 @@ struct ParameterizedFlagSyntax {
       const Choice chosen = owner_of(block.letters[i], place.begin, {owners_here.data(), count});
       if (chosen.owner == nullptr) continue;
       const WordRow& owner = rows[chosen.owner->row];
-      if (chosen.other != nullptr && !brings_its_words(chosen, place.begin))
+      if (chosen.other != nullptr)
         b.report(ig::diag("ISO-0593"), ig::Where::word(block.words[i]), std::string_view(&block.letters[i], 1),
                  owner.name, rows[chosen.other->row].name);
       b.move(block.words[i], owner.word(block.letters[i]));
@@ -111,16 +112,15 @@ struct ParameterizedFlagSyntax {
     const Owner* other = nullptr;  ///< another code that owns it; null: there is none
   };
 
-  /// Behind a cycle, words are those of the code between: G82 Z-3. R1. G70 I10. L6 drills a pattern of holes.
-  bool brings_its_words(const Choice& chosen, std::uint32_t begin) const {
-    return chosen.owner->begin < begin && is_cycle[chosen.other->row] && !is_cycle[chosen.owner->row];
-  }
-
-  /// The nearest code before the column that owns the address, else the first code that owns it.
+  /// The nearest code before the column that owns the address, else the first code that owns it. A pattern of holes has
+  /// its words before the cycle that it repeats: G82 Z-3. R1. G70 I10. L6.
   Choice owner_of(char letter, std::uint32_t begin, std::span<const Owner> in_order) const {
+    const auto owns = [&](const Owner& owner) { return rows[owner.row].word(letter) != IG_NO_FIELD; };
+    const bool is_of_pattern = std::any_of(in_order.begin(), in_order.end(),
+                                           [&](const Owner& owner) { return is_pattern[owner.row] && owns(owner); });
     Choice out;
     for (const Owner& owner : in_order) {
-      if (rows[owner.row].word(letter) == IG_NO_FIELD) continue;
+      if (!owns(owner) || (is_of_pattern && is_cycle[owner.row])) continue;
       const bool is_nearer = out.owner == nullptr || owner.begin < begin;
       if (out.owner != nullptr) out.other = is_nearer ? out.owner : &owner;
       if (is_nearer) out.owner = &owner;
