@@ -403,8 +403,8 @@ class State(unittest.TestCase):
         restart = program.with_name("restart-of-this-test.nc")
         restart.write_bytes((preamble + rest).encode(errors="surrogateescape"))
         try:
-            common = tuple(a for i, a in enumerate(common) if a != "--program" and (i == 0 or common[i - 1] != "--program"))
-            again = command("run", restart.name, *common, *run, cwd=program.parent)
+            of_restart = [a for i, a in enumerate(common) if "--program" not in common[max(i - 1, 0):i + 1]]
+            again = command("run", restart.name, *of_restart, *run, cwd=program.parent)
         finally:
             restart.unlink()
         head = preamble.count("\n")
