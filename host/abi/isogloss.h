@@ -387,7 +387,6 @@ struct ig_host {
 
   ig_symbol (*symbol)(ig_block*, ig_text name);
   ig_text (*symbol_text)(const ig_block*, ig_symbol);
-
   /* diagnostic: index in the plugin's table. field: the word it points at, or IG_NO_FIELD for columns begin..end of
    * the text; begin == end: the whole block. */
   void (*report)(ig_block*, uint32_t diagnostic, ig_field field, uint32_t begin, uint32_t end, const ig_argument*,
@@ -396,7 +395,6 @@ struct ig_host {
   void (*flow)(ig_block*, ig_flow, size_t position);
   /* Post-logic: the k-th executed block after this one, 1 <= k <= look_ahead; NULL past the end of the program. */
   ig_block* (*ahead)(ig_block*, uint32_t k);
-
   uint32_t (*fresh_many)(const ig_block*, const ig_field* fields, uint32_t count); /* a bit for each; count <= 32 */
 
   /* An entry of the frame that moves with the axes during the block (Kind Dynamic), as it is at the block's end. The
@@ -410,6 +408,8 @@ struct ig_host {
   void (*set_point)(ig_block*, ig_field x, const double point[3]);
   uint32_t (*fresh_point)(const ig_block*, ig_field x);
   int32_t (*in_turn)(ig_block*); /* see isogloss_scan.h; since 1.8 */
+  uint32_t (*append_many)(ig_block*, const ig_field*, uint32_t count, uint32_t records, const uint32_t* masks,
+                          const ig_value*); /* see conventions.md, "Records"; since 1.8 */
 };
 
 /* ---- Standard services -------------------------------------------------------------------------------------- */

@@ -216,6 +216,7 @@ AT(ig_host, take_point, 320);
 AT(ig_host, set_point, 328);
 AT(ig_host, fresh_point, 336);
 AT(ig_host, in_turn, 344);
+AT(ig_host, append_many, 352);
 
 GROWS_FROM(ig_work_offset_1, 32);
 AT(ig_work_offset_1, reserved, 4);

@@ -134,9 +134,9 @@ ig_host noting_host() {
   out.flags = 0;
   replace_members<Taking, &H::take, &H::take_many, &H::take_code, &H::take_point>(out);
   replace_members<Acting, &H::set, &H::set_many, &H::amend_many, &H::erase, &H::set_text, &H::set_words, &H::rewrite,
-                  &H::move, &H::add_leftover, &H::set_transform, &H::set_translation, &H::append, &H::set_record,
-                  &H::map_records, &H::report, &H::fault, &H::flow, &H::ahead, &H::set_moving_transform, &H::set_point>(
-      out);
+                  &H::move, &H::add_leftover, &H::set_transform, &H::set_translation, &H::append, &H::append_many,
+                  &H::set_record, &H::map_records, &H::report, &H::fault, &H::flow, &H::ahead, &H::set_moving_transform,
+                  &H::set_point>(out);
   return out;
 }
 

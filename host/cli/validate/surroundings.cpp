@@ -77,6 +77,7 @@ void check_older_host(Examination& e) {
   other.host.known.set_point = nullptr;
   other.host.known.fresh_point = nullptr;
   other.host.known.in_turn = nullptr;
+  other.host.known.append_many = nullptr;
   other.link.known.struct_size = offsetof(ig_link_api, set_text_value);
   other.link.known.host_minor = 0;
   other.link.known.set_text_value = nullptr;

@@ -40,6 +40,9 @@ bool may_use(const Document& d, const ListData* list, const ig_field* fields, st
   return list != nullptr;
 }
 
+/// Fields of one call of append_many(), whose masks have as many bits.
+constexpr std::uint32_t most_together = 32;
+
 /// The list that all these record fields belong to, or null.
 ListData* list_of_all(Document& d, const ig_field* fields, std::uint32_t count) {
   if (count == 0 || !is_record_field(fields[0]) || list_of(fields[0]) >= d.lists.size()) return nullptr;
@@ -93,13 +96,21 @@ std::int32_t leftover(const ig_block* block, std::uint32_t index, ig_leftover* o
 
 namespace {
 
-/// The shape of the record is known, and its list has room. Calls nothing, and so needs no frame on the stack.
-[[gnu::always_inline]] inline void append_known(Document& d, const RecordShape& shape, const ig_field* fields,
-                                                std::uint32_t count, const ig_value* v) {
-  ListData& list = d.lists[shape.list];
+[[gnu::always_inline]] inline bool has_room(const ListData& list, std::uint32_t records) {
+  return records <= list.room - list.count && records <= maximum_items - std::min(list.count, maximum_items);
+}
+
+[[gnu::always_inline]] inline void add_record(ListData& list, const RecordShape& shape, const ig_field* fields,
+                                              std::uint32_t count, const ig_value* v) {
   ig_value* const record = list.add(shape.mask);
 #pragma GCC unroll 8
   for (std::uint32_t i = 0; i < count; ++i) record[index_in_record(fields[i])] = v[i];
+}
+
+/// The shape of the record is known, and its list has room. Calls nothing, and so needs no frame on the stack.
+[[gnu::always_inline]] inline void append_known(Document& d, const RecordShape& shape, const ig_field* fields,
+                                                std::uint32_t count, const ig_value* v) {
+  add_record(d.lists[shape.list], shape, fields, count, v);
   if (d.chain != nullptr) ++d.chain->records;
   d.wake_by_list(shape.list);
 }
@@ -130,8 +141,7 @@ template <Mode M>
   const RecordShape& shape = d.record_shapes.at(fields);
   if (!shape.is(fields, count)) [[unlikely]]
     return false;
-  const ListData& list = d.lists[shape.list];
-  if (!list.has_room() || list.count >= maximum_items) [[unlikely]]
+  if (!has_room(d.lists[shape.list], 1)) [[unlikely]]
     return false;
   append_known(d, shape, fields, count, v);
   return true;
@@ -140,6 +150,71 @@ template <Mode M>
 /// Most records are steps of a motion: X, Y, Z, the form, and the feed or that it is rapid. With their number known to
 /// the compiler no loop is left.
 constexpr std::uint32_t usual_count = 5;
+
+/// X, Y, Z, the form, that it is rapid, the feed: steps of both kinds side by side.
+constexpr std::uint32_t usual_together = 6;
+
+/// Which fields of a record the mask of a call means. Most records of a call have one of two masks.
+class Presence {
+ public:
+  [[gnu::always_inline]] std::uint64_t of(std::uint32_t mask, const ig_field* fields, std::uint32_t count) {
+    if (mask == mask_) return present_;
+    if (mask == other_mask_) return other_present_;
+    other_mask_ = mask_;
+    other_present_ = present_;
+    mask_ = mask;
+    present_ = 0;
+#pragma GCC unroll 8
+    for (std::uint32_t i = 0; i < count; ++i) present_ |= std::uint64_t{mask >> i & 1} << index_in_record(fields[i]);
+    return present_;
+  }
+
+ private:
+  std::uint32_t mask_ = 0, other_mask_ = 0;
+  std::uint64_t present_ = 0, other_present_ = 0;
+};
+
+/// The list has room for them. A value that the mask does not name is written, too: it is not present. How many were
+/// added: all but those without fields.
+[[gnu::always_inline]] inline std::uint32_t add_records(ListData& list, const ig_field* fields, std::uint32_t count,
+                                                        std::uint32_t records, const std::uint32_t* masks,
+                                                        const ig_value* v) {
+  Presence presence;
+  std::uint64_t* present = list.present.data() + list.count;
+  ig_value* record = list.record(list.count);
+  const std::size_t stride = list.stride;
+  for (const std::uint32_t* const end = masks + records; masks != end; ++masks, v += count) {
+    const std::uint64_t held = presence.of(*masks, fields, count);
+    if (held == 0) [[unlikely]]
+      continue;
+    *present++ = held;
+#pragma GCC unroll 8
+    for (std::uint32_t i = 0; i < count; ++i) record[index_in_record(fields[i])] = v[i];
+    record += stride;
+  }
+  const auto added = static_cast<std::uint32_t>(present - list.present.data()) - list.count;
+  list.count += added;
+  return added;
+}
+
+/// Each as a call of its own.
+template <Mode M>
+[[gnu::noinline]] std::uint32_t append_each(ig_block* block, const ig_field* fields, std::uint32_t count,
+                                            std::uint32_t records, const std::uint32_t* masks, const ig_value* v) {
+  std::uint32_t appended = 0;
+  for (std::uint32_t r = 0; r < records; ++r, v += count) {
+    std::array<ig_field, most_together> some;
+    std::array<ig_value, most_together> values;
+    std::uint32_t n = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if ((masks[r] >> i & 1) == 0) continue;
+      some[n] = fields[i];
+      values[n++] = v[i];
+    }
+    appended += append_other<M>(block, some.data(), n, values.data()) != 0;
+  }
+  return appended;
+}
 
 }  // namespace
 
@@ -151,6 +226,30 @@ std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count
       return 1;
   }
   return append_other<M>(block, fields, count, v);
+}
+
+template <Mode M>
+std::uint32_t append_many(ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t records,
+                          const std::uint32_t* masks, const ig_value* v) {
+  Document& d = doc(block);
+  if (count > most_together) {
+    if constexpr (M == Mode::checked) violation(d, "it appends records with more fields than one call can name");
+    return 0;
+  }
+  if constexpr (M != Mode::checked) {
+    const RecordShape& shape = d.record_shapes.at(fields);
+    if (shape.is(fields, count) && has_room(d.lists[shape.list], records)) [[likely]] {
+      ListData& list = d.lists[shape.list];
+      const std::uint32_t added = count == usual_together ? add_records(list, fields, usual_together, records, masks, v)
+                                                          : add_records(list, fields, count, records, masks, v);
+      if (d.chain != nullptr) d.chain->records += added;
+      if (added != 0) d.wake_by_list(shape.list);
+      return added;
+    }
+    RecordShape found;
+    if (count <= RecordShape::most_fields && find_shape(d, fields, count, found)) d.record_shapes.at(fields) = found;
+  }
+  return append_each<M>(block, fields, count, records, masks, v);
 }
 
 template <Mode M>
@@ -233,6 +332,8 @@ void map_records(ig_block* block, const ig_field program[3], const ig_field mach
 #define ISOGLOSS_RECORDS_OF(mode)                                                                                 \
   template void add_leftover<mode>(ig_block*, const ig_leftover*);                                                \
   template std::int32_t append<mode>(ig_block*, const ig_field*, std::uint32_t, const ig_value*);                 \
+  template std::uint32_t append_many<mode>(ig_block*, const ig_field*, std::uint32_t, std::uint32_t,              \
+                                           const std::uint32_t*, const ig_value*);                                \
   template std::uint32_t count_records<mode>(const ig_block*, ig_field);                                          \
   template std::uint32_t record<mode>(const ig_block*, std::uint32_t, const ig_field*, std::uint32_t, ig_value*); \
   template void set_record<mode>(ig_block*, std::uint32_t, const ig_field*, std::uint32_t, const ig_value*);      \

@@ -13,6 +13,9 @@ std::int32_t leftover(const ig_block* block, std::uint32_t index, ig_leftover* o
 template <Mode M>
 std::int32_t append(ig_block* block, const ig_field* fields, std::uint32_t count, const ig_value* v);
 template <Mode M>
+std::uint32_t append_many(ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t records,
+                          const std::uint32_t* masks, const ig_value* v);
+template <Mode M>
 std::uint32_t count_records(const ig_block* block, ig_field f);
 template <Mode M>
 std::uint32_t record(const ig_block* block, std::uint32_t index, const ig_field* fields, std::uint32_t count,

@@ -171,7 +171,8 @@ constexpr ig_host table() {
           .take_point = take_point<M>,
           .set_point = set_point<M>,
           .fresh_point = fresh_point<M>,
-          .in_turn = in_turn};
+          .in_turn = in_turn,
+          .append_many = append_many<M>};
 }
 
 constexpr ig_host fast_table = table<Mode::fast>();

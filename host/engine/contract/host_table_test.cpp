@@ -197,3 +197,53 @@ TEST_CASE("three fields of no document are none") {
 
 }  // namespace
 }  // namespace isogloss
+
+TEST_CASE("records of one call have the fields that their masks name") {
+  Layout layout;
+  for (const char* list : {"Test.Items", "Test.Others"}) {
+    layout.lists.push_back({list, {}});
+    for (int i = 0; i < 40; ++i)
+      layout.lists.back().fields.push_back(
+          {"Test.F" + std::to_string(i), IG_NUMBER, IG_LIFE_BLOCK, "", "", false, IG_NO_FIELD});
+  }
+  layout.index();
+  Document d(layout, {}, 2);
+  d.begin({"part.nc", 1, 0, ""});
+  const Mode mode = GENERATE(Mode::fast, Mode::checked, Mode::traced);
+  const ig_host& host = host_table(mode);
+  const auto fields_of = [](std::initializer_list<std::size_t> indexes) {
+    std::vector<ig_field> out;
+    for (const std::size_t i : indexes) out.push_back(record_field(0, i));
+    return out;
+  };
+  const auto append = [&](const std::vector<ig_field>& fields, const std::vector<std::uint32_t>& masks, double first) {
+    std::vector<ig_value> values;
+    for (std::size_t i = 0; i < fields.size() * masks.size(); ++i)
+      values.push_back({.number = first + static_cast<double>(i)});
+    return host.append_many(block(d), fields.data(), static_cast<std::uint32_t>(fields.size()),
+                            static_cast<std::uint32_t>(masks.size()), masks.data(), values.data());
+  };
+  const std::vector<ig_field> six = fields_of({5, 4, 3, 2, 1, 0}), two = fields_of({39, 7});
+  // Of a shape that is new, then where the list has no room, then where both are known.
+  for (std::uint32_t round = 0; round < 30; ++round) {
+    CAPTURE(round);
+    CHECK(append(six, {0b000001, 0b110000, 0b111111, 0, 1u << 6, 0b000001, 0b000010}, 100 * round) == 5);
+    CHECK(append(two, {0b11}, 7) == 1);
+    ListData& list = d.lists[0];
+    REQUIRE(list.count == 6 * (round + 1));
+    const auto masks = list.masks().last(6);
+    CHECK(std::ranges::equal(
+        masks, std::vector<std::uint64_t>{0b100000, 0b000011, 0b111111, 0b100000, 0b010000, 1ull << 39 | 1 << 7}));
+    CHECK(list.record(6 * round)[5].number == 100 * round);
+    CHECK(list.record(6 * round + 1)[1].number == 100 * round + 10);
+    CHECK(list.record(6 * round + 2)[0].number == 100 * round + 17);
+    CHECK(list.record(6 * round + 4)[4].number == 100 * round + 37);
+    CHECK(list.record(6 * round + 5)[39].number == 7);
+  }
+  CHECK(append({}, {0}, 0) == 0);
+  CHECK(append({record_field(0, 1), record_field(1, 1)}, {3}, 0) == 0);
+  CHECK(append({record_field(0, 40)}, {1}, 0) == 0);
+  CHECK(append(std::vector<ig_field>(33, record_field(0, 1)), {1}, 0) == 0);
+  CHECK(append(six, {}, 0) == 0);
+  CHECK(d.lists[0].count == 180);
+}

@@ -29,6 +29,13 @@ inline void copy_awake(const std::uint64_t* words, std::uint32_t count, std::uin
     std::copy(words + 2, words + count, to + 2);
 }
 
+inline void add_awake(const std::uint64_t* words, std::uint32_t count, std::uint64_t* to) {
+  to[0] |= words[0];
+  to[1] |= words[1];
+  if (count > 2) [[unlikely]]
+    for (std::uint32_t k = 2; k < count; ++k) to[k] |= words[k];
+}
+
 }  // namespace
 
 Chain::Interlude::Interlude() : before_(running) {}
@@ -146,8 +153,7 @@ void Chain::look_at_state() {
     changing_ = changes;
     clear_awake(awake_by_rest_, linked_.wake_words);
     for (std::size_t i = 0; i < watches_.size(); ++i)
-      for (std::size_t k = 0; k < linked_.wake_words && (changes & change_of(i)) == 0; ++k)
-        awake_by_rest_[k] |= watches_[i].awake[k];
+      if ((changes & change_of(i)) == 0) add_awake(watches_[i].awake, linked_.wake_words, awake_by_rest_);
   }
   copy_awake(awake_by_rest_, linked_.wake_words, awake_by_state_);
   document_.changes = 0;
@@ -155,11 +161,14 @@ void Chain::look_at_state() {
   for (std::uint64_t open = changes; open != 0; open &= open - 1) {
     const auto first = static_cast<std::size_t>(__builtin_ctzll(open));
     const std::size_t last = first == last_change ? watches_.size() : first + 1;
-    for (std::size_t i = first; i < std::min(last, watches_.size()); ++i) look_at(watches_[i], change_of(i));
+    for (std::size_t i = first; i < std::min(last, watches_.size()); ++i) {
+      look_at(watches_[i], change_of(i));
+      add_awake(watches_[i].awake, linked_.wake_words, awake_by_state_);
+    }
   }
 }
 
-void Chain::look_at(Watch& watch, std::uint64_t change) {
+[[gnu::always_inline]] inline void Chain::look_at(Watch& watch, std::uint64_t change) {
   clear_awake(watch.awake, linked_.wake_words);
   if (!document_.present(watch.field)) return;
   if (!watch.is_modal) passing_ |= change;
@@ -168,10 +177,8 @@ void Chain::look_at(Watch& watch, std::uint64_t change) {
     const WakeWhile& w = watched_[i];
     if (w.value != 0 && w.value != value) continue;
     const std::size_t bit = wake_bit(w.position - linked_.first_build);
-    for (std::uint64_t* const awake : {watch.awake, awake_by_state_}) {
-      awake[bit / 64] |= std::uint64_t{1} << (bit % 64);
-      if (bit >= 128) awake[1] |= wakes_beyond;
-    }
+    watch.awake[bit / 64] |= std::uint64_t{1} << (bit % 64);
+    if (bit >= 128) watch.awake[1] |= wakes_beyond;
   }
 }
 

@@ -169,11 +169,17 @@ TEST_CASE("a block that makes more steps than there is room for is told so, once
     item = ids[1];
     return IG_CHANGED;
   };
+  static bool is_together;
+  is_together = GENERATE(false, true);
   writer.out.build = [](void*, const ig_host* host, ig_block* block) -> ig_status {
-    const ig_value second{.number = 1};
+    constexpr ig_value second{.number = 1};
+    constexpr std::array<std::uint32_t, 3> masks{1, 1, 1};
+    constexpr std::array<ig_value, 3> seconds{second, second, second};
     int refused = 0;
-    for (int i = 0; i < 3'000'000 && refused < 3; ++i) refused += host->append(block, &item, 1, &second) == 0 ? 1 : 0;
-    return refused == 3 ? IG_CHANGED : IG_FAILED;
+    for (int i = 0; i < 3'000'000 && refused < 3; ++i)
+      refused += is_together ? 3 - static_cast<int>(host->append_many(block, &item, 1, 3, masks.data(), seconds.data()))
+                             : 1 - host->append(block, &item, 1, &second);
+    return refused >= 3 ? IG_CHANGED : IG_FAILED;
   };
   Hand hand{"p"};
   hand.add("Writer");

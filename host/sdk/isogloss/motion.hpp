@@ -57,6 +57,8 @@ class CompoundMotion {
   const Out<Symbol>& term() const { return term_; }
 
  private:
+  friend class CompoundSteps;
+
   static ig_value symbol(Symbol s) { return detail::ValueOf<Symbol>::write(s); }
   static ig_value boolean(bool v) { return detail::ValueOf<bool>::write(v); }
   template <std::size_t N>
@@ -80,7 +82,75 @@ class CompoundMotion {
   std::array<ig_field, 5> rapid_{x_, y_, z_, form_, is_rapid_};
   std::array<ig_field, 8> machine_rapid_{x_, y_, z_, form_, is_rapid_, mx_, my_, mz_};
   std::array<ig_field, 5> feed_{x_, y_, z_, form_, feedrate_};
+  std::array<ig_field, 6> steps_{x_, y_, z_, form_, is_rapid_, feedrate_};
   Name linear_{"McLinear"}, cw_{"CW"}, ccw_{"CCW"}, stop_{"STOP"};
+};
+
+/// The steps of a CompoundMotion, handed to the host several at a time, which takes less than one by one: for a block
+/// that makes many. All of them are in the block when this object ends, or after flush().
+class CompoundSteps {
+ public:
+  CompoundSteps(Block& b, const CompoundMotion& motion)
+      : b_(b), motion_(motion), linear_(CompoundMotion::symbol(motion.linear_)) {}
+  CompoundSteps(const CompoundSteps&) = delete;
+  CompoundSteps& operator=(const CompoundSteps&) = delete;
+  ~CompoundSteps() { flush(); }
+
+  void rapid_to(const Vec3& p) { move_to(p, rapid, 0); }
+  /// A straight move by feed, in mm/s; 0 where no feed is in force, which the caller reports.
+  void feed_to(const Vec3& p, double feed_mmds) { move_to(p, feed_mmds > 0 ? with_feed : without_feed, feed_mmds); }
+  void dwell(double seconds) {
+    flush();
+    motion_.dwell(b_, seconds);
+  }
+  void spindle(Spindle direction) {
+    flush();
+    motion_.spindle(b_, direction);
+  }
+  void flush() {
+    if (count_ == 0) return;
+    const ig_host* const host = b_.host();
+    if (host->struct_size >= offsetof(ig_host, append_many) + sizeof host->append_many)
+      host->append_many(b_.raw(), motion_.steps_.data(), fields, count_, masks_.data(), values_[0].data());
+    else
+      append_each();
+    count_ = 0;
+  }
+
+ private:
+  static constexpr std::uint32_t capacity = 16, fields = 6;
+  // X, Y, Z and the form, then that it is rapid, then the feed.
+  static constexpr std::uint32_t without_feed = 0b001111, rapid = 0b011111, with_feed = 0b101111;
+
+  void move_to(const Vec3& p, std::uint32_t mask, double feed_mmds) {
+    if (count_ == capacity) flush();
+    std::array<ig_value, fields>& v = values_[count_];
+    v[0].number = p.x;
+    v[1].number = p.y;
+    v[2].number = p.z;
+    v[3] = linear_;
+    v[4] = CompoundMotion::boolean(true);
+    v[5].number = feed_mmds;
+    masks_[count_++] = mask;
+  }
+  /// To a host before contract 1.8.
+  void append_each() {
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      std::array<ig_value, fields>& v = values_[i];
+      const bool is_rapid = masks_[i] == rapid;
+      if (!is_rapid) v[4] = v[5];
+      b_.host()->append(b_.raw(), (is_rapid ? motion_.rapid_ : motion_.feed_).data(), masks_[i] == without_feed ? 4 : 5,
+                        v.data());
+    }
+  }
+
+  Block& b_;
+  const CompoundMotion& motion_;
+  const ig_value linear_;
+  std::uint32_t count_ = 0;
+  // Without values at the start: those that are not used cost nothing.
+  std::array<std::uint32_t, capacity> masks_;
+  std::array<std::array<ig_value, fields>, capacity> values_;
 };
 
 /// Steps of a CompoundMotion that the operator makes by hand; the control waits until they are done.

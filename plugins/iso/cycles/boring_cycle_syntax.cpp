@@ -39,21 +39,21 @@ struct BoringCycle {
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = waits(run->code) ? dwell_.seconds(*run) : 0;
     cycle_.report_unused(b, *run, waits(run->code) ? "P" : "");
-    const ig::CompoundMotion& motion = cycle_.motion;
-    const auto start = is_g86 ? spindle_.begin(b, motion, cycle_.where(*run), run->code) : ig::Spindle::stop;
+    const auto start = is_g86 ? spindle_.begin(b, cycle_.motion, cycle_.where(*run), run->code) : ig::Spindle::stop;
+    ig::CompoundSteps steps(b, cycle_.motion);
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      feed_to_bottom(b, motion, *run, hole, {feed, dwell});
+      feed_to_bottom(steps, *run, hole, {feed, dwell});
       if (is_g86) {
-        motion.spindle(b, ig::Spindle::stop);
-        motion.rapid_to(b, hole.at(run->return_level));
-        motion.spindle(b, start);
+        steps.spindle(ig::Spindle::stop);
+        steps.rapid_to(hole.at(run->return_level));
+        steps.spindle(start);
       } else if (retract_ == Retract::feed_to_final) {
-        motion.feed_to(b, hole.at(run->return_level), feed * return_override_);
+        steps.feed_to(hole.at(run->return_level), feed * return_override_);
       } else {
-        motion.feed_to(b, hole.at(run->r_level), feed * return_override_);
-        if (run->returns_to_initial) motion.rapid_to(b, hole.at(run->return_level));
+        steps.feed_to(hole.at(run->r_level), feed * return_override_);
+        if (run->returns_to_initial) steps.rapid_to(hole.at(run->return_level));
       }
     }
     cycle_.end(b, *run);

@@ -217,7 +217,7 @@ struct CannedCycleResolve {
     writes.set(b);
     if (now.before && !in.has(Address::Q) && data_.has_q(b) && use_of_q(*now.before) != use_of_q(row))
       b.raise(q_of_another_use_);
-    repeats_.put_count(b, words, hole.count, [&](std::size_t address, double value) {
+    repeats_.put_count(b, words, in, hole.count, [&](std::size_t address, double value) {
       is_in_place(address) ? b.rewrite(words[address], value) : b.set(words[address], value);
     });
     if (hole.count != 1) repeats_.put_step(b, hole.step);

@@ -27,12 +27,12 @@ struct DrillingCycle {
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = run->code == g82_ ? dwell_.seconds(*run) : 0;
     cycle_.report_unused(b, *run, run->code == g82_ ? "P" : "");
-    const ig::CompoundMotion& motion = cycle_.motion;
+    ig::CompoundSteps steps(b, cycle_.motion);
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      feed_to_bottom(b, motion, *run, hole, {feed, dwell});
-      motion.rapid_to(b, hole.at(run->return_level));
+      feed_to_bottom(steps, *run, hole, {feed, dwell});
+      steps.rapid_to(hole.at(run->return_level));
     }
     cycle_.end(b, *run);
     return ig::Status::changed;

@@ -38,10 +38,12 @@ struct FineBoring {
     cycle_.report_unused(b, *run, dwell_at_ == Dwell::none ? "QIJ" : "PQIJ");
     const ig::CompoundMotion& motion = cycle_.motion;
     const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
+    ig::CompoundSteps steps(b, motion);
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      feed_to_bottom(b, motion, *run, hole, {feed, dwell});
+      feed_to_bottom(steps, *run, hole, {feed, dwell});
+      steps.flush();
       shift_.retract(b, motion, hole, shift, run->bottom, run->return_level, feed, start);
     }
     cycle_.end(b, *run);

@@ -30,25 +30,25 @@ struct HighSpeedPeckCycle {
     std::string_view used = pecks_.used(*run, returns ? "QKP" : "QP", "IJKP");
     if (!dwell_.is_used()) used.remove_suffix(1);
     cycle_.report_unused(b, *run, used);
-    const ig::CompoundMotion& motion = cycle_.motion;
+    ig::CompoundSteps steps(b, cycle_.motion);
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      motion.rapid_to(b, hole.at(hole.approach_level));
+      steps.rapid_to(hole.at(hole.approach_level));
       if (pecks) {
-        motion.rapid_to(b, hole.at(run->r_level));
+        steps.rapid_to(hole.at(run->r_level));
         double out_at = run->r_level;  // where the chips came out last
         for (int k = 1; k <= pecks->count; ++k) {
-          motion.feed_to(b, hole.at(pecks->level(k)), feed);
-          dwell_.dwell(b, motion, *run, pecks->is_last(k));
+          steps.feed_to(hole.at(pecks->level(k)), feed);
+          dwell_.dwell(steps, *run, pecks->is_last(k));
           if (returns && !pecks->is_last(k) && std::fabs(pecks->level(k) - out_at) >= pecks->full_return - 1e-7) {
-            motion.rapid_to(b, hole.at(pecks->clear_level));
+            steps.rapid_to(hole.at(pecks->clear_level));
             out_at = pecks->level(k);
           }
-          if (!pecks->is_last(k) || last_retract_ == LastRetract::by_d) motion.rapid_to(b, hole.at(pecks->clear_of(k)));
+          if (!pecks->is_last(k) || last_retract_ == LastRetract::by_d) steps.rapid_to(hole.at(pecks->clear_of(k)));
         }
       }
-      motion.rapid_to(b, hole.at(run->return_level));
+      steps.rapid_to(hole.at(run->return_level));
     }
     cycle_.end(b, *run);
     return ig::Status::changed;

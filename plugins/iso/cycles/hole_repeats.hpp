@@ -31,9 +31,10 @@ class HoleRepeats {
   ig::Vec3 step(const ig::Block& b, const ig::Vec3& step) const { return b.get(pattern_).or_else(step); }
 
   /// Writes the number of holes into the resolved call, whose fields are `row`: as K, or as L where K is a length.
-  /// `put` sets one word of the call.
+  /// `in` are the words of the block; `put` sets one word of the call.
   template <class Put>
-  void put_count(ig::Block& b, const ig_field* row, int count, const Put& put) const {
+  void put_count(ig::Block& b, const ig_field* row, const CycleWords& in, int count, const Put& put) const {
+    if (count == 1 && !k_is_length() && !in.has(Address::K) && !in.has(Address::L)) return;
     ig_value unused;
     const bool has_length = k_is_length() && b.get(row[Address::K], unused);
     const Address counter = k_is_length() ? Address::L : Address::K;

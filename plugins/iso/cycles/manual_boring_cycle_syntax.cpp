@@ -39,17 +39,17 @@ struct ManualBoringCycle {
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = run->code == g88_ ? dwell_.seconds(*run) : 0;
     cycle_.report_unused(b, *run, run->code == g88_ ? "P" : "");
-    const ig::CompoundMotion& motion = cycle_.motion;
     if (!b.is(term_before_, run->code)) b.report(ig::diag("ISO-0335"), cycle_.where(*run), b.text(run->code));
-    const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
+    const auto start = spindle_.begin(b, cycle_.motion, cycle_.where(*run), run->code);
+    ig::CompoundSteps steps(b, cycle_.motion);
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      feed_to_bottom(b, motion, *run, hole, {feed, dwell});
-      motion.spindle(b, ig::Spindle::stop);
+      feed_to_bottom(steps, *run, hole, {feed, dwell});
+      steps.spindle(ig::Spindle::stop);
       by_hand_.rapid_to(b, hole.at(run->r_level));
-      motion.spindle(b, start);
-      if (run->returns_to_initial) motion.rapid_to(b, hole.at(run->return_level));
+      steps.spindle(start);
+      if (run->returns_to_initial) steps.rapid_to(hole.at(run->return_level));
     }
     cycle_.end(b, *run);
     return ig::Status::changed;

@@ -137,9 +137,9 @@ class PeckCycle {
 class PeckDwell {
  public:
   bool is_used() const { return after_ != After::none; }
-  void dwell(ig::Block& b, const ig::CompoundMotion& motion, const CycleRun& run, bool is_last) const {
+  void dwell(ig::CompoundSteps& steps, const CycleRun& run, bool is_last) const {
     const double seconds = is_used() && (is_last || after_ == After::every_peck) ? dwell_.seconds(run) : 0;
-    if (seconds > 0) motion.dwell(b, seconds);
+    if (seconds > 0) steps.dwell(seconds);
   }
 
  private:

@@ -28,24 +28,24 @@ struct PeckDrillingCycle {
     const double feed = pecks ? cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom)) : 0;
     const bool waits = dwell_.is_used();
     cycle_.report_unused(b, *run, pecks_.used(*run, waits ? "QP" : "Q", waits ? "IJKP" : "IJK"));
-    const ig::CompoundMotion& motion = cycle_.motion;
+    ig::CompoundSteps steps(b, cycle_.motion);
 
     for (int i = 0; i < run->count; ++i) {
       const CycleHole hole = run->hole(i);
-      motion.rapid_to(b, hole.at(hole.approach_level));
+      steps.rapid_to(hole.at(hole.approach_level));
       if (pecks) {
-        motion.rapid_to(b, hole.at(run->r_level));
+        steps.rapid_to(hole.at(run->r_level));
         for (int k = 1; k <= pecks->count; ++k) {
-          if (k > 1) motion.rapid_to(b, hole.at(pecks->clear_of(k - 1)));
-          motion.feed_to(b, hole.at(pecks->level(k)), feed);
-          dwell_.dwell(b, motion, *run, pecks->is_last(k));
+          if (k > 1) steps.rapid_to(hole.at(pecks->clear_of(k - 1)));
+          steps.feed_to(hole.at(pecks->level(k)), feed);
+          dwell_.dwell(steps, *run, pecks->is_last(k));
           if (!pecks->is_last(k))
-            motion.rapid_to(b, hole.at(pecks->clear_level));
+            steps.rapid_to(hole.at(pecks->clear_level));
           else if (last_retract_ == LastRetract::via_r)
-            motion.rapid_to(b, hole.at(run->r_level));
+            steps.rapid_to(hole.at(run->r_level));
         }
       }
-      motion.rapid_to(b, hole.at(run->return_level));
+      steps.rapid_to(hole.at(run->return_level));
     }
     cycle_.end(b, *run);
     return ig::Status::changed;

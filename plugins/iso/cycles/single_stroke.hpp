@@ -13,12 +13,11 @@ struct Stroke {
 };
 
 /// Rapid to the hole, rapid to R, feed to the bottom, dwell.
-inline void feed_to_bottom(ig::Block& b, const ig::CompoundMotion& motion, const CycleRun& run, const CycleHole& hole,
-                           const Stroke& stroke) {
-  motion.rapid_to(b, hole.at(hole.approach_level));
-  motion.rapid_to(b, hole.at(run.r_level));
-  motion.feed_to(b, hole.at(run.bottom), stroke.feed);
-  if (stroke.dwell > 0) motion.dwell(b, stroke.dwell);
+inline void feed_to_bottom(ig::CompoundSteps& steps, const CycleRun& run, const CycleHole& hole, const Stroke& stroke) {
+  steps.rapid_to(hole.at(hole.approach_level));
+  steps.rapid_to(hole.at(run.r_level));
+  steps.feed_to(hole.at(run.bottom), stroke.feed);
+  if (stroke.dwell > 0) steps.dwell(stroke.dwell);
 }
 
 }  // namespace iso

@@ -324,6 +324,15 @@ class BlockDocument {
       for (std::uint32_t i = 0; i < count; ++i) record[fields[i]] = values[i];
       return std::int32_t{1};
     };
+    host_.append_many = [](ig_block* b, const ig_field* fields, std::uint32_t count, std::uint32_t records,
+                           const std::uint32_t* masks, const ig_value* values) {
+      for (std::uint32_t r = 0; r < records; ++r, values += count) {
+        auto& record = self(b).records_.emplace_back();
+        for (std::uint32_t i = 0; i < count; ++i)
+          if ((masks[r] >> i & 1) != 0) record[fields[i]] = values[i];
+      }
+      return records;
+    };
     host_.count = [](const ig_block* b, ig_field) { return static_cast<std::uint32_t>(self(b).records_.size()); };
     host_.record = [](const ig_block* b, std::uint32_t index, const ig_field* fields, std::uint32_t count,
                       ig_value* out) {
