@@ -1,11 +1,11 @@
 /// G02 and G03: an arc in the plane to the program point of the block, about a centre (I J K, from the start) or with a
 /// radius (R). A move along the third axis makes it a helix. Fanuc manual, "Circular interpolation".
 #include <isogloss/cnc/arc.hpp>
-#include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
-#include <isogloss/sdk.hpp>
+
+#include "motion/turning_feed.hpp"
 
 namespace iso {
 
@@ -50,6 +50,7 @@ struct CircularMotion {
   ig::Signal turns_{"McAbc.~Turns", ig::read};
   MotionGroup group_;
   BlockMotion motion_;
+  TurningFeed turning_;
   PlaneInForce plane_;
   LastProgramXyz last_;
   ScaleAndMirror scale_and_mirror_;
@@ -171,18 +172,25 @@ struct CircularMotion {
     } else if (missing_center_ == MissingCenter::warning && path.length() >= same_point_mm) {
       b.report(ig::diag("ISO-0513"), ig::Where::block());
     }
-    motion_.feed(b, [&] { return path.length(); });
+    feed(b, path);
   }
 
   /// In place of the arc, where the third axis or a rotary axis moves.
   void straight(ig::Block& b, const Path& path) const {
-    if (path.length() >= same_point_mm || b.is_raised(turns_)) motion_.feed(b, [&] { return path.length(); });
+    if (path.length() >= same_point_mm || b.is_raised(turns_)) feed(b, path);
   }
 
   void while_turning(ig::Block& b, const Path& path) const {
     b.report(ig::diag("ISO-0446"), ig::Where::block());
     b.alarm();
-    motion_.feed(b, [&] { return path.length(); });
+    feed(b, path);
+  }
+
+  void feed(ig::Block& b, const Path& path) const {
+    if (turning_.turns(b))
+      turning_.feed(b, motion_, path.length(), FeedCounts::linear_axes);
+    else
+      motion_.feed(b, [&] { return path.length(); });
   }
 
   void emit(ig::Block& b, const Path& path, const Point2& center, bool is_ccw) const {
