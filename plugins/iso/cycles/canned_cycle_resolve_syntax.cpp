@@ -77,11 +77,15 @@ struct CannedCycleResolve {
     const bool has_mode = data_.take_return_mode(b);
     ActiveCycle now = mode_.enter_or_cancel(b, block_, data_);
     if (now.cycle && !now.is_entry && plane_changes(b)) forget_levels(b, now);
-    const bool drills = now.cycle && block_.is_hole(b, now);
-    if (drills)
-      drill(b, now);
-    else if (now.is_called)
-      enter_without_hole(b, now);
+    bool drills = false;
+    if (now.cycle) {
+      CycleWords in = block_.given(b, now);
+      drills = block_.is_hole(b, now, in);
+      if (drills)
+        drill(b, now, in);
+      else if (now.is_called)
+        enter_without_hole(b, now);
+    }
     return drills || now.is_called || now.changed || has_mode ? ig::Status::changed : ig::Status::unchanged;
   }
 
@@ -106,11 +110,11 @@ struct CannedCycleResolve {
     data_.enter(b, now, block_.name(now), level_of_tool(b));
   }
 
-  void drill(ig::Block& b, const ActiveCycle& now) const {
+  void drill(ig::Block& b, const ActiveCycle& now, CycleWords& in) const {
+    if (bare_p_ == BareP::milliseconds && in.has(Address::P)) read_bare_p(b, block_.words(now)[Address::P], in);
     const PlaneAxes plane = plane_(b);
     const bool incremental = distance_.is_incremental(b);
     const ig::Vec3 start = last_(b);
-    const CycleWords in = given(b, now);
     if (repeats_.k_is_length()) data_.end_other_way_to_peck(b, in);
     const double level = data_.initial_level(b, now, start[plane.tool]);
     const CycleLevels kept = data_.levels(b, plane.tool);
@@ -143,14 +147,6 @@ struct CannedCycleResolve {
       block_.swallow(b, now);
     const bool passes_by = count == 0 && zero_repeats_ == ZeroRepeats::position;
     if (passes_by && (in.has(plane.first) || in.has(plane.second))) position(b, block_.name(now), hole);
-  }
-
-  CycleWords given(ig::Block& b, const ActiveCycle& now) const {
-    const ig_field* words = block_.words(now);
-    CycleWords out;
-    out.mask = b.get_many(words, CycleBlock::letters.size(), out.values.data());
-    if (bare_p_ == BareP::milliseconds && out.has(Address::P)) read_bare_p(b, words[Address::P], out);
-    return out;
   }
 
   /// "P500" is half a second, and "P5." five of them.

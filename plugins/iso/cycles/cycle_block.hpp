@@ -30,12 +30,18 @@ class CycleBlock {
   /// Where the cycle words of this block are: a field for each of `letters`, and F where the code is in the block.
   const ig_field* words(const ActiveCycle& now) const { return now.is_called ? calls_.row(*now.cycle) : alone_.data(); }
 
+  /// The words that this block holds of `letters`, as programmed.
+  CycleWords given(const ig::Block& b, const ActiveCycle& now) const {
+    CycleWords out;
+    out.mask = b.get_many(words(now), letters.size(), out.values.data());
+    return out;
+  }
   /// A block drills when it names a position; M, S, T and F alone do not, nor do the words of G31, G53 and G60.
-  bool is_hole(const ig::Block& b, const ActiveCycle& now) const {
-    if (!now.is_called && b.find(one_shot_)) return false;
-    ig_value v[4];
-    return b.get_many(words(now), 4, v) != 0 ||  // X Y Z R
-           rotary_words(b, v) != 0;
+  bool is_hole(const ig::Block& b, const ActiveCycle& now, const CycleWords& in) const {
+    constexpr std::uint32_t x_y_z_r = 0b1111;
+    ig_value unused[3];
+    if ((in.mask & x_y_z_r) == 0 && rotary_words(b, unused) == 0) return false;
+    return now.is_called || !b.find(one_shot_);
   }
   /// The values of A, B and C, with a bit for each that the block holds: axes that are positioned before the hole, and
   /// not the resolver's to take.
