@@ -1,5 +1,5 @@
-/// The feed of a straight block in which rotary axes turn. One degree counts like one unit of length of the program, so F
-/// of a block that only turns is in degrees per minute, whatever the unit. Reports what BlockMotion reports.
+/// The feed of a straight block in which rotary axes turn. One degree counts like one unit of length of the program, so
+/// F of a block that only turns is in degrees per minute, whatever the unit. Reports what BlockMotion reports.
 #pragma once
 
 #include <cmath>
