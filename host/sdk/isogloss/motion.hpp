@@ -2,6 +2,8 @@
 /// Points in mm, feeds in mm/s, dwells in seconds, angles in degrees.
 #pragma once
 
+#include <utility>
+
 #include "isogloss/block.hpp"
 
 namespace ig {
@@ -94,7 +96,8 @@ class CompoundSteps {
       : b_(b), motion_(motion), linear_(CompoundMotion::symbol(motion.linear_)) {}
   CompoundSteps(const CompoundSteps&) = delete;
   CompoundSteps& operator=(const CompoundSteps&) = delete;
-  ~CompoundSteps() { flush(); }
+  /// Throws what the host throws, std::bad_alloc for instance, as the functions do.
+  ~CompoundSteps() noexcept(false) { flush(); }
 
   void rapid_to(const Vec3& p) { move_to(p, rapid, 0); }
   /// A straight move by feed, in mm/s; 0 where no feed is in force, which the caller reports.
@@ -108,13 +111,14 @@ class CompoundSteps {
     motion_.spindle(b_, direction);
   }
   void flush() {
-    if (count_ == 0) return;
+    // Before the host throws: the end of this object then does no more.
+    const std::uint32_t steps = std::exchange(count_, 0);
+    if (steps == 0) return;
     const ig_host* const host = b_.host();
     if (host->struct_size >= offsetof(ig_host, append_many) + sizeof host->append_many)
-      host->append_many(b_.raw(), motion_.steps_.data(), fields, count_, masks_.data(), values_[0].data());
+      host->append_many(b_.raw(), motion_.steps_.data(), fields, steps, masks_.data(), values_[0].data());
     else
-      append_each();
-    count_ = 0;
+      append_each(steps);
   }
 
  private:
@@ -134,8 +138,8 @@ class CompoundSteps {
     masks_[count_++] = mask;
   }
   /// To a host before contract 1.8.
-  void append_each() {
-    for (std::uint32_t i = 0; i < count_; ++i) {
+  void append_each(std::uint32_t steps) {
+    for (std::uint32_t i = 0; i < steps; ++i) {
       std::array<ig_value, fields>& v = values_[i];
       const bool is_rapid = masks_[i] == rapid;
       if (!is_rapid) v[4] = v[5];

@@ -1,5 +1,6 @@
 #include "isogloss/motion.hpp"
 
+#include <new>
 #include <utility>
 
 #include <catch2/catch.hpp>
@@ -69,4 +70,27 @@ TEST_CASE("steps that are handed over several at a time are the steps of single 
   CHECK(steps_of(together) == steps_of(alone));
   CHECK(alone.step_count() == 85);
   CHECK(calls == (is_newer ? 2 : 85));  // of the dwell and of the spindle alone
+}
+
+TEST_CASE("a host that has no memory for the steps is asked once") {
+  BlockDocument document;
+  const auto motion = document.member<ig::CompoundMotion>();
+  ig_host host = *document.block().host();
+  static int calls;
+  calls = 0;
+  host.append_many = [](ig_block*, const ig_field*, std::uint32_t, std::uint32_t, const std::uint32_t*,
+                        const ig_value*) -> std::uint32_t {
+    ++calls;
+    throw std::bad_alloc();
+  };
+  ig::Block block(&host, document.block().raw());
+  const bool is_at_end = GENERATE(false, true);
+  CAPTURE(is_at_end);
+  const auto cycle = [&] {
+    ig::CompoundSteps steps(block, motion);
+    steps.rapid_to({1, 2, 3});
+    if (!is_at_end) steps.dwell(1);
+  };
+  CHECK_THROWS_AS(cycle(), std::bad_alloc);
+  CHECK(calls == 1);
 }
