@@ -100,17 +100,12 @@ namespace {
   return records <= list.room - list.count && records <= maximum_items - std::min(list.count, maximum_items);
 }
 
-[[gnu::always_inline]] inline void add_record(ListData& list, const RecordShape& shape, const ig_field* fields,
-                                              std::uint32_t count, const ig_value* v) {
-  ig_value* const record = list.add(shape.mask);
-#pragma GCC unroll 8
-  for (std::uint32_t i = 0; i < count; ++i) record[index_in_record(fields[i])] = v[i];
-}
-
 /// The shape of the record is known, and its list has room. Calls nothing, and so needs no frame on the stack.
 [[gnu::always_inline]] inline void append_known(Document& d, const RecordShape& shape, const ig_field* fields,
                                                 std::uint32_t count, const ig_value* v) {
-  add_record(d.lists[shape.list], shape, fields, count, v);
+  ig_value* const record = d.lists[shape.list].add(shape.mask);
+#pragma GCC unroll 8
+  for (std::uint32_t i = 0; i < count; ++i) record[index_in_record(fields[i])] = v[i];
   if (d.chain != nullptr) ++d.chain->records;
   d.wake_by_list(shape.list);
 }

@@ -135,15 +135,21 @@ TEST_CASE("a host that looks at every access shows nothing") {
   CHECK(host_table(Mode::traced).flags == 0);
 }
 
-TEST_CASE("a record has the fields that its call names, whatever an earlier call named there") {
+/// Two lists, whose records have so many fields.
+Layout two_lists(int fields) {
   Layout layout;
   for (const char* list : {"Test.Items", "Test.Others"}) {
     layout.lists.push_back({list, {}});
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < fields; ++i)
       layout.lists.back().fields.push_back(
           {"Test.F" + std::to_string(i), IG_NUMBER, IG_LIFE_BLOCK, "", "", false, IG_NO_FIELD});
   }
   layout.index();
+  return layout;
+}
+
+TEST_CASE("a record has the fields that its call names, whatever an earlier call named there") {
+  const Layout layout = two_lists(20);
   Document d(layout, {}, 2);
   d.begin({"part.nc", 1, 0, ""});
   const ig_host& host = host_table(Mode::fast);
@@ -178,36 +184,10 @@ TEST_CASE("a record has the fields that its call names, whatever an earlier call
   CHECK(d.lists[1].record(2)[19].number == 19);
 }
 
-TEST_CASE("three fields of no document are none") {
-  const Mode mode = GENERATE(Mode::fast, Mode::checked, Mode::traced);
-  const ig_host& host = host_table(mode);
-  const Numbers numbers;
-  for (const ig_field x : {IG_NO_FIELD, IG_NO_FIELD - 1, IG_NO_FIELD - 2}) {
-    Document d = numbers.filled();
-    const Document before = d;
-    double point[3] = {-1, -1, -1};
-    CHECK(host.get_point(block(d), x, point) == 0);
-    CHECK(host.take_point(block(d), x, point) == 0);
-    CHECK(host.fresh_point(block(d), x) == 0);
-    CHECK((point[0] == 0 && point[1] == 0 && point[2] == 0));
-    host.set_point(block(d), x, point);
-    CHECK(same(d, before));
-  }
-}
-
-}  // namespace
-}  // namespace isogloss
-
 TEST_CASE("records of one call have the fields that their masks name") {
-  Layout layout;
-  for (const char* list : {"Test.Items", "Test.Others"}) {
-    layout.lists.push_back({list, {}});
-    for (int i = 0; i < 40; ++i)
-      layout.lists.back().fields.push_back(
-          {"Test.F" + std::to_string(i), IG_NUMBER, IG_LIFE_BLOCK, "", "", false, IG_NO_FIELD});
-  }
-  layout.index();
-  Document d(layout, {}, 2);
+  const Layout layout = two_lists(40);
+  const std::vector<std::uint64_t> wake{0b01, 0, 0b10, 0};  // of the first list, and of the second
+  Document d(layout, wake, 2);
   d.begin({"part.nc", 1, 0, ""});
   const Mode mode = GENERATE(Mode::fast, Mode::checked, Mode::traced);
   const ig_host& host = host_table(mode);
@@ -227,8 +207,10 @@ TEST_CASE("records of one call have the fields that their masks name") {
   // Of a shape that is new, then where the list has no room, then where both are known.
   for (std::uint32_t round = 0; round < 30; ++round) {
     CAPTURE(round);
+    d.wake_none();
     CHECK(append(six, {0b000001, 0b110000, 0b111111, 0, 1u << 6, 0b000001, 0b000010}, 100 * round) == 5);
     CHECK(append(two, {0b11}, 7) == 1);
+    CHECK(d.active[0] == 0b01);
     ListData& list = d.lists[0];
     REQUIRE(list.count == 6 * (round + 1));
     const auto masks = list.masks().last(6);
@@ -240,10 +222,33 @@ TEST_CASE("records of one call have the fields that their masks name") {
     CHECK(list.record(6 * round + 4)[4].number == 100 * round + 37);
     CHECK(list.record(6 * round + 5)[39].number == 7);
   }
+  d.wake_none();
   CHECK(append({}, {0}, 0) == 0);
   CHECK(append({record_field(0, 1), record_field(1, 1)}, {3}, 0) == 0);
   CHECK(append({record_field(0, 40)}, {1}, 0) == 0);
   CHECK(append(std::vector<ig_field>(33, record_field(0, 1)), {1}, 0) == 0);
   CHECK(append(six, {}, 0) == 0);
+  CHECK(append(six, {0, 1u << 6}, 0) == 0);
+  CHECK(d.active[0] == 0);
   CHECK(d.lists[0].count == 180);
 }
+
+TEST_CASE("three fields of no document are none") {
+  const Mode mode = GENERATE(Mode::fast, Mode::checked, Mode::traced);
+  const ig_host& host = host_table(mode);
+  const Numbers numbers;
+  for (const ig_field x : {IG_NO_FIELD, IG_NO_FIELD - 1, IG_NO_FIELD - 2}) {
+    Document d = numbers.filled();
+    const Document before = d;
+    double point[3] = {-1, -1, -1};
+    CHECK(host.get_point(block(d), x, point) == 0);
+    CHECK(host.take_point(block(d), x, point) == 0);
+    CHECK(host.fresh_point(block(d), x) == 0);
+    CHECK((point[0] == 0 && point[1] == 0 && point[2] == 0));
+    host.set_point(block(d), x, point);
+    CHECK(same(d, before));
+  }
+}
+
+}  // namespace
+}  // namespace isogloss
