@@ -177,17 +177,12 @@ std::uint32_t fresh_point(const ig_block* block, ig_field x) {
 }
 
 template <Mode M>
-std::int32_t find_code(const ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t* found) {
+[[gnu::noinline]] std::int32_t find_code_of_several(const ig_block* block, const ig_field* fields, std::uint32_t count,
+                                                    std::uint32_t* found) {
   const Document& d = doc(block);
   std::int32_t last = -1;
   std::int64_t ordinal = -1;
   *found = 0;
-  if (d.codes_seen == 0) return -1;
-  if constexpr (M == Mode::fast)
-    if (const std::int32_t only = d.only_present(fields, count); only != Document::several_present) {
-      *found = only >= 0 ? 1 : 0;
-      return only;
-    }
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!may<M>(d, fields[i], Use::read) || !d.present(fields[i])) continue;
     ++*found;
@@ -197,6 +192,21 @@ std::int32_t find_code(const ig_block* block, const ig_field* fields, std::uint3
     }
   }
   return last;
+}
+
+template <Mode M>
+std::int32_t find_code(const ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t* found) {
+  const Document& d = doc(block);
+  if (d.codes_seen == 0) {
+    *found = 0;
+    return -1;
+  }
+  if constexpr (M == Mode::fast)
+    if (const std::int32_t only = d.only_present(fields, count); only != Document::several_present) {
+      *found = only >= 0 ? 1 : 0;
+      return only;
+    }
+  return find_code_of_several<M>(block, fields, count, found);
 }
 
 template <Mode M>
