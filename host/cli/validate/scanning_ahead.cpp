@@ -33,25 +33,27 @@ std::vector<Ahead> read_ahead(const Stand& stand, std::vector<TestBlock> blocks)
   std::vector<Ahead> out;
   LineNotes before;
   Bench bench(stand.alone, settings);
-  bench.chain().notes = &before;
+  const auto note_in = [&](LineNotes& notes) {
+    bench.chain().notes = &notes;
+    bench.chain().document().begin_scan(notes.summary);
+  };
+  note_in(before);
   bench.start();
   std::reverse(blocks.begin(), blocks.end());
   for (TestBlock& block : blocks) {
     if (holds_control_characters(block.text)) continue;
     Ahead ahead{std::move(block), {}, {}};
-    bench.chain().notes = &before;
+    note_in(before);
     bench.prepare(ahead.block);
-    bench.chain().notes = &ahead.notes;
-    Document& d = bench.chain().document();
-    d.wake_none();
+    note_in(ahead.notes);
     ++bench.chain().builds;  // work of its own to the watch over calls that do not return
     bench.scan();
-    ahead.notes.sum_up(d);
-    ahead.leftovers = d.leftovers;
+    ahead.leftovers = bench.chain().document().leftovers;
+    ahead.notes.complete(bench.chain().document());
     if (!ahead.notes.line.is_left) out.push_back(std::move(ahead));
   }
   std::reverse(out.begin(), out.end());
-  bench.chain().notes = &before;
+  note_in(before);
   return out;
 }
 

@@ -29,6 +29,10 @@ std::int32_t get_ahead(const ig_block* block, ig_field f, ig_value* out) {
   return is_there ? 1 : 0;
 }
 
+void set_ahead(ig_block* block, ig_field f, ig_value v) { doc(block).add(f, v); }
+
+void set_words_ahead(ig_block* block, const ig_word* words, std::uint32_t count) { doc(block).add_words(words, count); }
+
 std::int32_t in_turn_ahead(ig_block* block) {
   notes_of(block).leave();
   return 0;
@@ -45,8 +49,8 @@ constexpr ig_host make_table() {
   out.fresh_many = fresh_many<Mode::fast>;
   out.fresh_point = fresh_point<Mode::fast>;
   out.source = source;
-  out.set = set<Mode::fast>;
-  out.set_words = set_words<Mode::fast>;
+  out.set = set_ahead;
+  out.set_words = set_words_ahead;
   out.in_turn = in_turn_ahead;
   return out;
 }

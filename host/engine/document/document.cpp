@@ -199,25 +199,54 @@ void Document::find_group(const ig_field* f, std::uint32_t count, FieldGroup& ou
   }
 }
 
-bool Document::sum_up(Summary& out) const {
-  if (size_ > UINT16_MAX || codes_seen > UINT16_MAX) return false;
+inline void Document::sum_up(ig_field f) {
+  if (f >= size_) return;
+  Summary& out = *summary_;
+  if (out.fields >= Summary::most_fields) {  // too much: hand_over() sees it
+    out.fields = Summary::most_fields + 1;
+    return;
+  }
+  touched_ |= std::uint64_t{1} << std::min(f >> 6, last_touched);
+  const State& state = fields_.states[f];
+  out.field[out.fields++] = {state.value, state.place | std::uint64_t{f} << Summary::Field::field_at};
+}
+
+void Document::add_words(const ig_word* w, std::uint32_t count) {
+  set_words(w, count);
+  for (const ig_word& word : std::span(w, count)) sum_up(word.field);
+}
+
+void Document::add(ig_field f, ig_value v) {
+  if (f >= size_) return;
+  count_code(f);
+  set(f, v);
+  sum_up(f);
+}
+
+bool Document::hand_over() {
+  Summary& out = *summary_;
+  if (size_ > UINT16_MAX || codes_seen > UINT16_MAX || out.fields > Summary::most_fields) return false;
   out.wakes[0] = active[0];
   out.wakes[1] = active[1];
   out.codes = static_cast<std::uint16_t>(codes_seen);
-  out.pieces = out.fields = 0;
-  for (std::uint32_t w = 0; w < words_; ++w) {
-    const Bits& bits = fields_.bits[w];
-    if (bits.fresh == 0) continue;
-    if (out.pieces == Summary::most_pieces) return false;
-    out.piece[out.pieces++] = {w, bits.fresh, bits.pointless};
-  }
-  auto* next = reinterpret_cast<Summary::Field*>(out.piece + out.pieces);
-  for (std::uint32_t i = 0; i < out.pieces; ++i)
-    for (std::uint64_t open = out.piece[i].fields; open != 0; open &= open - 1) {
-      if (out.fields++ == Summary::most_fields) return false;
-      const std::uint64_t field = out.piece[i].word * 64 + static_cast<std::uint64_t>(std::countr_zero(open));
-      *next++ = {fields_.states[field].value, fields_.states[field].place | field << Summary::Field::field_at};
-    }
+  auto* const pieces = reinterpret_cast<Summary::Piece*>(out.field + out.fields);
+  std::uint32_t count = 0;
+  std::uint64_t modal = 0;
+  const auto take_out = [&](std::uint32_t w) {
+    Bits& bits = fields_.bits[w];
+    if (count == Summary::most_pieces) return false;
+    modal |= bits.fresh & bits.modal;
+    pieces[count++] = {w, bits.fresh, bits.pointless};
+    bits.carry();
+    return true;
+  };
+  for (std::uint64_t open = touched_ & ~(std::uint64_t{1} << last_touched); open != 0; open &= open - 1)
+    if (!take_out(static_cast<std::uint32_t>(std::countr_zero(open)))) return false;
+  if (touched_ >> last_touched != 0) [[unlikely]]
+    for (std::uint32_t w = last_touched; w < words_; ++w)
+      if (fields_.bits[w].fresh != 0 && !take_out(w)) return false;
+  out.pieces = count;
+  keeps_value_ = modal != 0;
   return true;
 }
 

@@ -252,8 +252,16 @@ TEST_CASE("a block that gets a summary has what the words gave that it sums up")
     wake[field * 2 + 1] = std::uint64_t{2} << (field % 13);
   }
   Document scanned(f.layout, wake, 2), given = scanned, one = scanned;
+  Document::Summary summary;
+  begin(scanned);
+  scanned.begin_scan(summary);
+  REQUIRE(scanned.hand_over());
   for (const std::vector<ig_field>& fields : texts) {
-    for (Document* d : {&scanned, &given, &one}) begin(*d);
+    for (Document* d : {&given, &one}) begin(*d);
+    CHECK(scanned.begin_scan_again(2, "X1", summary));
+    CHECK(scanned.source.line == 2);
+    CHECK(scanned.source.text == "X1");
+    CHECK(scanned.same_content(one));
     std::vector<ig_word> words;
     for (std::uint16_t i = 0; i < fields.size(); ++i)
       words.push_back({fields[i],
@@ -262,13 +270,14 @@ TEST_CASE("a block that gets a summary has what the words gave that it sums up")
                        {.number = 2.5 + i},
                        i % 2 == 0 ? std::uint32_t{IG_WORD_WITHOUT_POINT} : 0u,
                        0});
-    for (Document* d : {&scanned, &one}) {
-      d->current = 7;
-      for (const ig_word& w : words) d->set_word(w);
+    scanned.current = one.current = 7;
+    for (const ig_word& w : words) {
+      scanned.add_words(&w, 1);
+      one.set_word(w);
     }
     CAPTURE(fields);
-    Document::Summary summary;
-    REQUIRE(scanned.sum_up(summary));
+    CHECK(scanned.same_content(one));
+    REQUIRE(scanned.hand_over());
     CHECK(summary.bytes() <= sizeof summary);
     given.set_summed(summary);
     CHECK(given.same_content(one));
@@ -300,20 +309,25 @@ TEST_CASE("a summary tells of watched fields that change, wakes what is far, and
   given.set(f.modal + 65, {.number = 1});
   for (Document* d : {&scanned, &given}) begin(*d);
   given.changes = 0;
-  scanned.set(f.modal, {.number = 1});
-  scanned.set(f.modal + 65, {.number = 2});
-  scanned.set_word({f.word, 0, 1, {.number = 3}, 0, 0});
   Document::Summary summary;
-  REQUIRE(scanned.sum_up(summary));
+  scanned.begin_scan(summary);
+  scanned.add(f.modal, {.number = 1});
+  scanned.add(f.modal + 65, {.number = 2});
+  scanned.add(f.word, {.number = 3});
+  REQUIRE(scanned.hand_over());
   given.set_summed(summary);
   CHECK(given.changes == (std::uint64_t{1} << ((f.modal + 65) % 64) | std::uint64_t{1} << (f.word % 64)));
   CHECK(given.number(f.modal + 65) == 2);
   CHECK(given.active[2] == 5);
-  for (ig_field field = f.modal; field < f.modal + Document::Summary::most_fields; ++field) {
-    CHECK(scanned.sum_up(summary));
-    if (field > f.modal + 1) scanned.set(field, {.number = 1});
+  CHECK_FALSE(scanned.begin_scan_again(2, {}, summary));  // values that stay, with copies from before the block
+  CHECK(scanned.number(f.modal + 65) == 2);
+  for (const std::uint32_t more : {0u, 1u, 300u}) {
+    begin(scanned);
+    scanned.begin_scan(summary);
+    for (std::uint32_t i = 0; i < Document::Summary::most_fields + more; ++i)
+      scanned.add(f.modal + i % 70, {.number = 1});
+    CHECK(scanned.hand_over() == (more == 0));
   }
-  CHECK_FALSE(scanned.sum_up(summary));
 }
 
 TEST_CASE("a summary holds the values of a chain without words") {
@@ -323,13 +337,42 @@ TEST_CASE("a summary holds the values of a chain without words") {
   layout.index();
   Document scanned(layout, std::vector<std::uint64_t>(layout.fields.size() * 2), 2), given = scanned;
   for (Document* d : {&scanned, &given}) begin(*d);
-  scanned.set(3, {.number = 1});
-  scanned.set(190, {.number = 2});
   Document::Summary summary;
-  REQUIRE(scanned.sum_up(summary));
+  scanned.begin_scan(summary);
+  scanned.add(3, {.number = 1});
+  scanned.add(190, {.number = 2});
+  const Document one = scanned;
+  REQUIRE(scanned.hand_over());
   given.set_summed(summary);
-  CHECK(given.same_content(scanned));
+  CHECK(given.same_content(one));
   CHECK(given.number(190) == 2);
+}
+
+TEST_CASE("a summary has what lies in the last words of bits of a large chain") {
+  Layout layout;
+  constexpr ig_field count = 66 * 64 + 5;
+  for (ig_field i = 0; i < count; ++i)
+    layout.fields.push_back({"Test.V" + std::to_string(i), IG_NUMBER, IG_LIFE_BLOCK, "", "", false, IG_NO_FIELD});
+  layout.index();
+  Document scanned(layout, std::vector<std::uint64_t>(layout.fields.size() * 2), 2), given = scanned;
+  begin(scanned);
+  Document::Summary summary;
+  scanned.begin_scan(summary);
+  REQUIRE(scanned.hand_over());
+  for (const std::vector<ig_field>& fields : std::vector<std::vector<ig_field>>{
+           {62 * 64}, {63 * 64}, {64 * 64 + 1, 66 * 64 + 4}, {0, 63 * 64 - 1, count - 1}, {}}) {
+    CAPTURE(fields);
+    CHECK(scanned.begin_scan_again(1, {}, summary));
+    begin(given);
+    CHECK(scanned.same_content(given));
+    for (const ig_field field : fields) scanned.add(field, {.number = 0.5 + field});
+    const Document one = scanned;
+    REQUIRE(scanned.hand_over());
+    CHECK(summary.fields == fields.size());
+    given.set_summed(summary);
+    CHECK(given.same_content(one));
+    for (const ig_field field : fields) CHECK(given.number(field) == 0.5 + field);
+  }
 }
 
 }  // namespace

@@ -73,12 +73,15 @@ class Run final : StandingRun {
  private:
   bool next_line(Line& line) {
     Cursor& cursor = flow_.cursor();
-    if (ahead_ != nullptr && cursor.source() == scanned_ahead_)
-      if (const auto size = ahead_->size_at(cursor.offset());
-          size && *size <= widest_column && cursor.next(line, *size)) {
+    if (ahead_ != nullptr && cursor.source() == scanned_ahead_) {
+      found_ = ahead_->next_at(cursor.offset());
+      if (found_ != nullptr && found_->size <= widest_column && cursor.next(line, found_->size)) {
+        ahead_->take(*found_);
         ++result_.lines;
         return true;
       }
+      found_ = nullptr;
+    }
     const bool has_line = cursor.next(line);
     if (cursor.has_failed()) [[unlikely]] {
       flow_.fail_to_read(cursor.next_number() - (has_line ? 1 : 0));
@@ -139,7 +142,7 @@ class Run final : StandingRun {
   /// Returns the end of the block in the text, which is the line's from some byte on.
   [[gnu::always_inline]] inline std::size_t scan(const Line& line, std::string_view text) {
     if (ahead_ != nullptr && text.size() == line.text.size() && flow_.cursor().source() == scanned_ahead_) {
-      if (const ScannedLine* const found = ahead_->find(line)) {
+      if (const ScannedLine* const found = found_ != nullptr ? found_ : ahead_->find(line)) {
         if (chain_.take_scanned(*found)) {
           refused_ = 0;
           return text.size();
@@ -427,6 +430,7 @@ class Run final : StandingRun {
   std::uint64_t scan_ahead_from_ = options_.scans_ahead_after == 0 ? never : options_.scans_ahead_after;
   const Source* scanned_ahead_ = nullptr;
   std::unique_ptr<ScanAhead> ahead_;
+  const ScannedLine* found_ = nullptr;  ///< of the line that next_line() gave, where that has looked
   static constexpr std::uint32_t most_refused = 16 * 1024;  // in a row: what the scanners read stays another
   std::uint32_t refused_ = 0;
 };

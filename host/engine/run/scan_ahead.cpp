@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include "run/calling.hpp"
 
@@ -12,7 +13,9 @@ namespace isogloss {
 
 namespace {
 
-constexpr std::uint64_t head_start = 32 * 1024;  // bytes of text that the run has before it when the thread begins
+/// Bytes of text between the run and the thread that goes on ahead of it. The run scans them by itself, and has the
+/// first batch when it is through.
+constexpr std::uint64_t lead = 4 * 1024;
 
 ChainSettings settings_of(const RunOptions& options) {
   ChainSettings out = options.chain;
@@ -30,12 +33,6 @@ void block_signals() {
 }
 
 }  // namespace
-
-void ScanAhead::Batch::copy_from(const Batch& other) {
-  epoch = other.epoch;
-  size = other.size;
-  std::memcpy(bytes, other.bytes, size);
-}
 
 ScanAhead::ScanAhead(const LinkedDialect& linked, const RunOptions& options, std::unique_ptr<Source> source,
                      std::string file)
@@ -75,51 +72,64 @@ ScanAhead::~ScanAhead() {
 // ---- the run
 
 const ScannedLine* ScanAhead::find(const Line& line) {
-  if (epoch_ == 0) [[unlikely]] {
-    if (is_built_) read_on_from(line.offset);
+  if (questions_ == 0) [[unlikely]] {
+    run_at_.store(line.offset, std::memory_order_relaxed);
+    if (is_built_) ask(line.offset);
     return nullptr;
   }
-  while (at_ < taken_.size || take_batch()) {
-    const auto& found = *reinterpret_cast<const ScannedLine*>(taken_.bytes + at_);
+  while (next_ != end_ || take_batch()) {
+    const auto& found = *reinterpret_cast<const ScannedLine*>(next_);
     if (found.offset > line.offset) break;
-    at_ += found.bytes();
-    if (found.offset < line.offset) continue;
-    ++hits_;
-    misses_ = 0;
+    if (found.offset < line.offset) {
+      next_ += found.bytes();
+      continue;
+    }
+    take(found);
     return found.is_left || found.size != line.text.size() ? nullptr : &found;
   }
-  const bool is_on_the_way = line.offset < from_ && line.offset + head_start >= from_;
-  if (!is_on_the_way && ++misses_ == patience_) read_on_from(line.offset);
+  run_at_.store(line.offset, std::memory_order_relaxed);
+  const bool is_on_the_way = line.offset < from_ && line.offset + lead >= from_;
+  if (!is_on_the_way && (++misses_ >= patience_ || hits_ >= enough_hits)) ask(line.offset);
   return nullptr;
 }
 
-/// The next one that was read on from the last place asked for; false when none is ready.
+/// The next one that answers the last question; false when none is ready.
 bool ScanAhead::take_batch() {
+  give_back();
   while (done_ != ready_.load(std::memory_order_acquire)) {
     const Batch& batch = shared_[done_ % batches];
-    const bool is_wanted = batch.epoch == epoch_;
-    if (is_wanted) taken_.copy_from(batch);
-    std::unique_lock lock(mutex_);
-    ++done_;
-    const bool is_half_empty = ready_ - done_ <= batches / 2;
-    lock.unlock();
-    if (is_half_empty) changed_.notify_one();
-    at_ = 0;
-    if (is_wanted) return true;
+    has_batch_ = true;
+    if (batch.asked == questions_ && batch.size != 0) {
+      next_ = batch.bytes;
+      end_ = batch.bytes + batch.size;
+      return true;
+    }
+    give_back();
   }
   return false;
 }
 
-/// The run went on elsewhere, or faster than the thread. Where that did not help, the next time comes later.
-void ScanAhead::read_on_from(std::uint64_t offset) {
-  patience_ = hits_ < 4 * std::uint64_t{patience_} ? std::min(2 * patience_, 1u << 24) : least_patience;
-  from_ = offset + head_start;
+/// The thread may write there again.
+void ScanAhead::give_back() {
+  next_ = end_ = nullptr;
+  if (!std::exchange(has_batch_, false)) return;
+  std::unique_lock lock(mutex_);
+  ++done_;
+  const bool is_half_empty = ready_ - done_ <= batches / 2;
+  lock.unlock();
+  if (is_half_empty) changed_.notify_one();
+}
+
+/// The run went on elsewhere, or faster than the thread. Where the last answer did not help, the next question comes
+/// later.
+void ScanAhead::ask(std::uint64_t place) {
+  patience_ = hits_ < enough_hits ? std::min(2 * patience_, most_patience) : least_patience;
+  from_ = place + lead;
   hits_ = misses_ = 0;
-  at_ = taken_.size = 0;
+  give_back();
   {
     const std::lock_guard lock(mutex_);
-    asked_offset_ = from_;
-    asked_ = ++epoch_;
+    asked_ = ++questions_;
   }
   changed_.notify_one();
 }
@@ -130,7 +140,10 @@ void ScanAhead::work() try {
   block_signals();
   chain_ = std::make_unique<Chain>(linked_, std::move(settings_), ignored_);
   chain_->flow = this;
-  chain_->notes = &filling_.next();
+  filling_ = &shared_[0];
+  LineNotes& unused = filling_->next();
+  chain_->notes = &unused;
+  chain_->document().begin_scan(unused.summary);
   chain_->start(file_);
   is_built_ = true;
   {
@@ -139,62 +152,79 @@ void ScanAhead::work() try {
     if (stops_) return;
   }
   for (Line line; !is_useless();) {
-    if (filling_.epoch != asked_) seek();
+    if (filling_->asked != asked_ && !answer()) return;
     const bool has_line = cursor_.next(line);
     if (cursor_.has_failed()) return;
     if (has_line) {
       scan(line);
-      if (filling_.has_room()) continue;
+      if (filling_->has_room()) continue;
+      if (run_at_.load(std::memory_order_relaxed) > cursor_.offset() + lead) {  // it is far behind the run
+        if (!answer()) return;
+        continue;
+      }
     }
     if (!hand_over()) return;
     std::unique_lock lock(mutex_);
-    if (!has_line) changed_.wait(lock, [this] { return stops_ || filling_.epoch != asked_; });
+    if (!has_line) changed_.wait(lock, [this] { return stops_ || filling_->asked != asked_; });
     if (stops_) return;
   }
 } catch (...) {  // a syntax lives only once, or there is no memory: the run scans by itself
 }
 
-void ScanAhead::seek() {
-  const std::lock_guard lock(mutex_);
-  filling_.epoch = asked_;
-  filling_.size = 0;
-  cursor_.seek(asked_offset_, 1);
+/// The run has come to a place for which nothing was ready. Either the thread is well ahead of it, and has not yet
+/// handed over what it has, or it goes there. False when the run has ended.
+bool ScanAhead::answer() {
+  filling_->asked = asked_;
+  const std::uint64_t place = run_at_.load(std::memory_order_relaxed);
+  const auto* const first = reinterpret_cast<const ScannedLine*>(filling_->bytes);
+  const bool has_next = filling_->size != 0 && first->offset <= place + lead && cursor_.offset() > place;
+  if (has_next && !hand_over()) return false;
+  if (has_next && cursor_.offset() >= place + lead / 2) return true;
+  filling_->size = 0;
+  cursor_.seek(place + lead, 1);
   Line rest;  // the place may lie within a line
   cursor_.next(rest);
-}
-
-/// Waits for room; false when the run has ended.
-bool ScanAhead::hand_over() {
-  {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return stops_ || filling_.epoch != asked_ || ready_ - done_ < batches; });
-    if (stops_) return false;
-    if (filling_.epoch != asked_) return true;
-  }
-  shared_[ready_ % batches].copy_from(filling_);
-  ready_.store(ready_ + 1, std::memory_order_release);
-  filling_.size = 0;
   return true;
 }
 
+/// Goes on with the next batch as soon as there is room; false when the run has ended.
+bool ScanAhead::hand_over() {
+  const std::uint32_t asked = filling_->asked;
+  ready_.store(ready_ + 1, std::memory_order_release);
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return stops_ || ready_ - done_ < batches; });
+  if (stops_) return false;
+  filling_ = &shared_[ready_ % batches];
+  filling_->asked = asked;
+  filling_->size = 0;
+  return true;
+}
+
+void ScanAhead::begin(const Line& line, Document::Summary& out) {
+  Document& d = chain_->document();
+  if (is_plain_ && d.begin_scan_again(line.number, line.text, out)) return;
+  chain_->begin_block({file_, line.number, 0, line.text, false});
+  d.begin_scan(out);
+}
+
 void ScanAhead::scan(const Line& line) {
-  LineNotes& notes = filling_.next();
+  LineNotes& notes = filling_->next();
   notes.line = {line.offset, static_cast<std::uint32_t>(line.text.size())};
   chain_->notes = &notes;
   if (line.lines > 1 || line.truncated) {
     notes.leave();
   } else {
-    chain_->begin_block({file_, line.number, 0, line.text, false});
+    begin(line, notes.summary);
     Document& d = chain_->document();
-    d.wake_none();
     const bool is_whole = chain_->scan() == line.text.size() && !chain_->skip_rest && !chain_->ends_file;
     if (!is_whole || !ignored_.all.empty() || !d.leftovers.empty()) notes.leave();
     ignored_.all.clear();
+    notes.complete(d);
   }
-  notes.sum_up(chain_->document());
+  is_plain_ = !notes.line.is_left && chain_->split_at == 0;
   if (notes.line.is_left) ++left_;
   ++scanned_;
-  filling_.keep(notes);
+  filling_->keep(notes);
 }
 
 }  // namespace isogloss

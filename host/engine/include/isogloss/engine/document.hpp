@@ -245,49 +245,68 @@ class alignas(64) Document {
   }
   void set_word(const ig_word& w) { set_words(&w, 1); }
 
-  /// What this block got since it began, to be given to the same block of another document at once.
+  /// What this block got since begin_scan(), to be given to the same block of another document at once.
   struct Summary {
-    static constexpr std::uint32_t most_pieces = 8, most_fields = 64;
-    struct Piece {  ///< of the fields whose bits lie in one word
-      std::uint64_t word, fields, pointless;
-    };
+    static constexpr std::uint32_t most_fields = 64, most_pieces = 8;
     struct Field {
       ig_value value;
       std::uint64_t place;  ///< as State's, with the field in its upper 16 bits
       static constexpr int field_at = 48;
       ig_field id() const { return static_cast<ig_field>(place >> field_at); }
     };
+    struct Piece {  ///< of the fields whose bits lie in one word
+      std::uint64_t word, fields, pointless;
+    };
     std::uint64_t wakes[2];
     std::uint16_t fields, codes;
     std::uint32_t pieces;
-    Piece piece[most_pieces];  // directly behind those that are used lie the fields
-    Field room[most_fields];   // last: what is not used is not kept
-    const Field* field() const { return reinterpret_cast<const Field*>(piece + pieces); }
-    std::size_t bytes() const { return offsetof(Summary, piece) + pieces * sizeof(Piece) + fields * sizeof(Field); }
+    Field field[most_fields];  // directly behind those that are used lie the pieces
+    Piece room[most_pieces];   // last: what is not used is not kept
+    const Piece* piece() const { return reinterpret_cast<const Piece*>(field + fields); }
+    std::size_t bytes() const { return offsetof(Summary, field) + fields * sizeof(Field) + pieces * sizeof(Piece); }
   };
-  /// False where it got too much. Since wake_none() nothing but what is summed up has woken a syntax.
-  bool sum_up(Summary& out) const;
-  /// What values from before the block have woken is another matter than what its text wakes.
-  void wake_none() { active[0] = active[1] = 0; }
+  /// Sums up what the block gets from here on, and what that wakes, apart from what values from before the block have
+  /// woken. Until hand_over() only add_words() and add() write to it.
+  void begin_scan(Summary& out) {
+    wake_none();
+    touched_ = 0;
+    summary_ = &out;
+    out.fields = 0;
+  }
+  void add_words(const ig_word* w, std::uint32_t count);
+  void add(ig_field f, ig_value v);
+  /// The summary is complete, and the block has nothing of it any more. False where it got too much.
+  bool hand_over();
+  /// Starts the next block in place of begin(), after hand_over(), and its scan, too. False, with nothing done, where a
+  /// value stays.
+  bool begin_scan_again(std::uint32_t line, std::string_view text, Summary& out) {
+    if (keeps_value_) [[unlikely]]
+      return false;
+    source.line = line;
+    source.text = text;
+    codes_seen = 0;
+    begin_scan(out);
+    return true;
+  }
   /// To a block that has only begun.
   [[gnu::always_inline]] void set_summed(const Summary& summary) {
     State* const state = fields_.states.data();
-    const Summary::Field* const fields = summary.field();
-    const Summary::Field* const end = fields + summary.fields;
-    for (const Summary::Piece *p = summary.piece, *const last = p + summary.pieces; p != last; ++p) {
+    const Summary::Field* const end = summary.field + summary.fields;
+    for (const Summary::Piece *p = summary.piece(), *const last = p + summary.pieces; p != last; ++p) {
       Bits& bits = fields_.bits[p->word];
       if ((bits.watched & p->fields) != 0) [[unlikely]]
-        tell_changes(fields, summary.fields);
+        tell_changes(summary.field, summary.fields);
       bits.write(p->fields);
       bits.pointless = p->pointless;
     }
-    for (const Summary::Field* f = fields; f != end; ++f) state[f->id()] = {f->value, f->place << 16 >> 16};
+    for (const Summary::Field* f = summary.field; f != end; ++f) state[f->id()] = {f->value, f->place << 16 >> 16};
     active[0] |= summary.wakes[0];
     active[1] |= summary.wakes[1];
     codes_seen = summary.codes;
     if ((summary.wakes[1] & wakes_beyond) != 0) [[unlikely]]
-      for (const Summary::Field* f = fields; f != end; ++f) wake_far(wake_ + std::size_t{f->id()} * wake_words_);
+      for (const Summary::Field* f = summary.field; f != end; ++f) wake_far(wake_ + std::size_t{f->id()} * wake_words_);
   }
+  void wake_none() { active[0] = active[1] = 0; }
   void rewrite(ig_field f, ig_value v);
   /// From now on every change of the field adds these bits to `changes`.
   void watch(ig_field f, std::uint64_t changes);
@@ -427,6 +446,7 @@ class alignas(64) Document {
     }
     return known;
   }
+  void sum_up(ig_field f);
   bool is_watched(ig_field f) const { return (fields_.bits[f >> 6].watched >> (f & 63) & 1) != 0; }
   [[gnu::cold]] void compose();
   bool has_value(ig_field f, ig_value v) const {
@@ -496,6 +516,7 @@ class alignas(64) Document {
   void find_open_words(std::vector<std::uint64_t>& wake);
   bool has_far_words() const { return (active[1] & holds_far_words) != 0; }
   void mark_pointless(ig_field f, bool pointless);
+  static constexpr std::uint32_t last_touched = 63;
   const Layout* layout_;
   std::uint32_t size_ = 0, words_ = 0, wake_words_ = 2;
   std::uint32_t points_end_ = 0;  // no three fields begin here or behind
@@ -548,6 +569,10 @@ class alignas(64) Document {
   bool composed_valid_ = false, inverse_valid_ = false, invertible_ = false;
   std::string arena_;
   std::string own_text_;
+  // Of a block that is summed up.
+  Summary* summary_ = nullptr;
+  std::uint64_t touched_ = 0;  // a bit for each word of bits; the last one for all words from there on
+  bool keeps_value_ = true;    // one that is not of this block alone
 
  public:
   FoundByPlace<RecordShape> record_shapes;  // last: what every block touches lies together

@@ -9,11 +9,12 @@
 
 namespace isogloss {
 
-/// A line that was scanned ahead. Directly behind lie the values that its scanners have read, and what they found.
+/// A line that was scanned ahead. Directly behind lie what its scanners found, and the values that they have read.
 struct ScannedLine {
   std::uint64_t offset = 0;  ///< in the source
   std::uint32_t size = 0;    ///< bytes of its text
-  std::uint16_t reads = 0;   ///< values
+  std::uint16_t behind = 0;  ///< bytes that follow
+  std::uint8_t reads = 0;    ///< values
   bool is_left = false;      ///< to its turn, with nothing behind: more than its text decides what is found
 
   /// A value that is carried from the blocks before, which it has to be in its turn, too; or that this field has none.
@@ -22,18 +23,20 @@ struct ScannedLine {
     ig_field field;
     std::uint32_t is_there;
   };
-  const Read* read() const { return reinterpret_cast<const Read*>(this + 1); }
-  const Document::Summary& summary() const { return *reinterpret_cast<const Document::Summary*>(read() + reads); }
-  std::size_t bytes() const { return sizeof *this + (is_left ? 0 : reads * sizeof(Read) + summary().bytes()); }
+  const Document::Summary& summary() const { return *reinterpret_cast<const Document::Summary*>(this + 1); }
+  const Read* read() const {
+    return reinterpret_cast<const Read*>(reinterpret_cast<const std::byte*>(this + 1) + summary().bytes());
+  }
+  std::size_t bytes() const { return sizeof *this + behind; }
 };
 
 /// What is noted of the line that is being scanned.
 struct LineNotes {
-  static constexpr std::uint16_t most_reads = 32;
+  static constexpr std::uint8_t most_reads = 32;
 
   ScannedLine line;
-  std::array<ScannedLine::Read, most_reads> reads;
-  Document::Summary room;  ///< the summary lies directly behind what was read
+  Document::Summary summary;
+  std::array<ScannedLine::Read, most_reads> reads;  // complete() puts them directly behind the summary
 
   void leave() { line.is_left = true; }
   /// Member by member: what is put together elsewhere is copied in larger pieces, and waits for smaller ones.
@@ -44,13 +47,17 @@ struct LineNotes {
     read.field = field;
     read.is_there = is_there ? 1 : 0;
   }
-  /// When the whole line has been scanned into this document, after Document::wake_none().
-  void sum_up(const Document& document) {
-    if (!line.is_left && !document.sum_up(*::new (reads.data() + line.reads) Document::Summary)) leave();
+  /// When the whole line has been scanned into this document, which has its summary here.
+  void complete(Document& document) {
+    if (line.is_left) return;
+    if (!document.hand_over()) return leave();
+    const std::size_t bytes = summary.bytes();
+    auto* const behind = reinterpret_cast<ScannedLine::Read*>(reinterpret_cast<std::byte*>(&summary) + bytes);
+    for (std::size_t i = 0; i < line.reads; ++i) behind[i] = reads[i];
+    line.behind = static_cast<std::uint16_t>(bytes + line.reads * sizeof(ScannedLine::Read));
   }
 };
-static_assert(offsetof(LineNotes, reads) == sizeof(ScannedLine) &&
-              offsetof(LineNotes, room) == sizeof(ScannedLine) + sizeof(LineNotes::reads));
+static_assert(offsetof(LineNotes, summary) == sizeof(ScannedLine) && sizeof(LineNotes) <= UINT16_MAX);
 
 /// For ChainSettings::host of a chain that scans ahead. What it scans is noted in Chain::notes.
 const ig_host& ahead_table();
