@@ -195,18 +195,20 @@ template <Mode M>
 }
 
 template <Mode M>
-std::int32_t find_code(const ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t* found) {
-  const Document& d = doc(block);
-  if (d.codes_seen == 0) {
-    *found = 0;
-    return -1;
-  }
+[[gnu::noinline]] std::int32_t find_seen_code(const ig_block* block, const ig_field* fields, std::uint32_t count,
+                                              std::uint32_t* found) {
   if constexpr (M == Mode::fast)
-    if (const std::int32_t only = d.only_present(fields, count); only != Document::several_present) {
+    if (const std::int32_t only = doc(block).only_present(fields, count); only != Document::several_present) {
       *found = only >= 0 ? 1 : 0;
       return only;
     }
   return find_code_of_several<M>(block, fields, count, found);
+}
+
+template <Mode M>
+std::int32_t find_code(const ig_block* block, const ig_field* fields, std::uint32_t count, std::uint32_t* found) {
+  *found = 0;
+  return doc(block).codes_seen == 0 ? -1 : find_seen_code<M>(block, fields, count, found);
 }
 
 template <Mode M>
