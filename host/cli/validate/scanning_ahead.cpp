@@ -33,27 +33,25 @@ std::vector<Ahead> read_ahead(const Stand& stand, std::vector<TestBlock> blocks)
   std::vector<Ahead> out;
   LineNotes before;
   Bench bench(stand.alone, settings);
-  const auto note_in = [&](LineNotes& notes) {
-    bench.chain().notes = &notes;
-    bench.chain().document().begin_scan(notes.summary);
-  };
-  note_in(before);
+  bench.chain().notes = &before;
   bench.start();
   std::reverse(blocks.begin(), blocks.end());
   for (TestBlock& block : blocks) {
     if (holds_control_characters(block.text)) continue;
     Ahead ahead{std::move(block), {}, {}};
-    note_in(before);
+    bench.chain().notes = &before;
     bench.prepare(ahead.block);
-    note_in(ahead.notes);
+    bench.chain().notes = &ahead.notes;
+    Document& d = bench.chain().document();
+    d.begin_scan(ahead.notes.summary);
     ++bench.chain().builds;  // work of its own to the watch over calls that do not return
     bench.scan();
-    ahead.leftovers = bench.chain().document().leftovers;
-    ahead.notes.complete(bench.chain().document());
+    ahead.leftovers = d.leftovers;
+    ahead.notes.complete(d);
     if (!ahead.notes.line.is_left) out.push_back(std::move(ahead));
   }
   std::reverse(out.begin(), out.end());
-  note_in(before);
+  bench.chain().notes = &before;
   return out;
 }
 

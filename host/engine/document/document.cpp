@@ -213,6 +213,7 @@ inline void Document::sum_up(ig_field f) {
 
 void Document::add_words(const ig_word* w, std::uint32_t count) {
   set_words(w, count);
+  if (summary_ == nullptr) return;
   for (const ig_word& word : std::span(w, count)) sum_up(word.field);
 }
 
@@ -220,7 +221,7 @@ void Document::add(ig_field f, ig_value v) {
   if (f >= size_) return;
   count_code(f);
   set(f, v);
-  sum_up(f);
+  if (summary_ != nullptr) sum_up(f);
 }
 
 bool Document::hand_over() {

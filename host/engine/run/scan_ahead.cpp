@@ -141,9 +141,7 @@ void ScanAhead::work() try {
   chain_ = std::make_unique<Chain>(linked_, std::move(settings_), ignored_);
   chain_->flow = this;
   filling_ = &shared_[0];
-  LineNotes& unused = filling_->next();
-  chain_->notes = &unused;
-  chain_->document().begin_scan(unused.summary);
+  chain_->notes = &filling_->next();
   chain_->start(file_);
   is_built_ = true;
   {

@@ -227,7 +227,7 @@ TEST_CASE("lines are found again after jumps, back and forth") {
 
 TEST_CASE("where the run takes nothing of what is scanned ahead, its thread ends") {
   Fixture f;
-  constexpr std::uint32_t lines = 60'000;
+  constexpr std::uint32_t lines = 150'000;
   std::string text = "L5\n";  // the thread begins later, and reads a level that does not exist
   for (std::uint32_t i = 1; i < lines; ++i) text += "R\n";
   Collector alone, helped;

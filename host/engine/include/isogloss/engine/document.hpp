@@ -273,6 +273,7 @@ class alignas(64) Document {
     summary_ = &out;
     out.fields = 0;
   }
+  /// As set_words() and set(), and to the summary, where there is one.
   void add_words(const ig_word* w, std::uint32_t count);
   void add(ig_field f, ig_value v);
   /// The summary is complete, and the block has nothing of it any more. False where it got too much.
