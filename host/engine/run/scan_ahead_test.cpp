@@ -174,7 +174,7 @@ TEST_CASE("a run whose lines are scanned ahead gives what it gives alone") {
   CHECK(scanned_elsewhere == 0);
   const std::uint64_t scanned_alone = scanned_here.exchange(0);
   options.scans_ahead_after = 100;
-  if (std::thread::hardware_concurrency() > 1) helped.waits_for = 3000;
+  if (std::thread::hardware_concurrency() > 1) helped.waits_for = 1500;
   isogloss::run(*f.linked, *memory_source(text), "t", options, {&helped}, said_helped);
   if (helped.waits_for > 0) CHECK(scanned_here + 1000 < scanned_alone);
   CHECK(alone.all == helped.all);
@@ -238,7 +238,7 @@ TEST_CASE("where the run takes nothing of what is scanned ahead, its thread ends
   RunOptions options;
   isogloss::run(*f.linked, *memory_source(text), "t", options, {&alone}, f.diagnostics);
   options.scans_ahead_after = 100;
-  if (std::thread::hardware_concurrency() > 1) helped.waits_for = 3000;
+  if (std::thread::hardware_concurrency() > 1) helped.waits_for = 1500;
   isogloss::run(*f.linked, *memory_source(text), "t", options, {&helped}, f.diagnostics);
   CHECK(scanned_elsewhere >= helped.waits_for);
   CHECK(alone.threads >= 1);
