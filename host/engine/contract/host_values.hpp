@@ -176,6 +176,8 @@ std::uint32_t fresh_point(const ig_block* block, ig_field x) {
   return mask;
 }
 
+// Nearly all calls find one code or none: apart from the search among several they need no frame on the stack.
+
 template <Mode M>
 [[gnu::noinline]] std::int32_t find_code_of_several(const ig_block* block, const ig_field* fields, std::uint32_t count,
                                                     std::uint32_t* found) {

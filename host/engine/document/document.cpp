@@ -206,7 +206,6 @@ inline void Document::sum_up(ig_field f) {
     out.fields = Summary::most_fields + 1;
     return;
   }
-  touched_ |= std::uint64_t{1} << std::min(f >> 6, last_touched);
   const State& state = fields_.states[f];
   out.field[out.fields++] = {state.value, state.place | std::uint64_t{f} << Summary::Field::field_at};
 }
@@ -233,19 +232,15 @@ bool Document::hand_over() {
   auto* const pieces = reinterpret_cast<Summary::Piece*>(out.field + out.fields);
   std::uint32_t count = 0;
   std::uint64_t modal = 0;
-  const auto take_out = [&](std::uint32_t w) {
-    Bits& bits = fields_.bits[w];
+  for (const Summary::Field& field : std::span(out.field, out.fields)) {
+    const std::uint32_t word = field.id() >> 6;
+    Bits& bits = fields_.bits[word];
+    if (bits.fresh == 0) continue;  // taken out with another field
     if (count == Summary::most_pieces) return false;
     modal |= bits.fresh & bits.modal;
-    pieces[count++] = {w, bits.fresh, bits.pointless};
+    pieces[count++] = {word, bits.fresh, bits.pointless};
     bits.carry();
-    return true;
-  };
-  for (std::uint64_t open = touched_ & ~(std::uint64_t{1} << last_touched); open != 0; open &= open - 1)
-    if (!take_out(static_cast<std::uint32_t>(std::countr_zero(open)))) return false;
-  if (touched_ >> last_touched != 0) [[unlikely]]
-    for (std::uint32_t w = last_touched; w < words_; ++w)
-      if (fields_.bits[w].fresh != 0 && !take_out(w)) return false;
+  }
   out.pieces = count;
   keeps_value_ = modal != 0;
   return true;

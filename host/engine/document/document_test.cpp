@@ -296,6 +296,19 @@ TEST_CASE("a block that gets a summary has what the words gave that it sums up")
   }
 }
 
+TEST_CASE("a block takes words and values where nobody sums them up") {
+  const ManyFields f;
+  Document d(f.layout, std::vector<std::uint64_t>(f.layout.fields.size() * 2), 2), one = d;
+  for (Document* const block : {&d, &one}) begin(*block);
+  const ig_word word{f.word, 0, 2, {.number = 3}, 0, 0};
+  d.add_words(&word, 1);
+  d.add(f.modal, {.number = 4});
+  d.add(IG_NO_FIELD, {.number = 5});
+  one.set_word(word);
+  one.set(f.modal, {.number = 4});
+  CHECK(d.same_content(one));
+}
+
 TEST_CASE("a summary tells of watched fields that change, wakes what is far, and has a limit") {
   const ManyFields f;
   constexpr std::uint32_t wake_words = 3;
@@ -348,7 +361,7 @@ TEST_CASE("a summary holds the values of a chain without words") {
   CHECK(given.number(190) == 2);
 }
 
-TEST_CASE("a summary has what lies in the last words of bits of a large chain") {
+TEST_CASE("a summary has what lies in any of the words of bits of a large chain") {
   Layout layout;
   constexpr ig_field count = 66 * 64 + 5;
   for (ig_field i = 0; i < count; ++i)
@@ -360,7 +373,7 @@ TEST_CASE("a summary has what lies in the last words of bits of a large chain") 
   scanned.begin_scan(summary);
   REQUIRE(scanned.hand_over());
   for (const std::vector<ig_field>& fields : std::vector<std::vector<ig_field>>{
-           {62 * 64}, {63 * 64}, {64 * 64 + 1, 66 * 64 + 4}, {0, 63 * 64 - 1, count - 1}, {}}) {
+           {62 * 64}, {63 * 64, 63 * 64 + 63}, {64 * 64 + 1, 66 * 64 + 4}, {0, 63 * 64 - 1, count - 1}, {}}) {
     CAPTURE(fields);
     CHECK(scanned.begin_scan_again(1, {}, summary));
     begin(given);
@@ -373,6 +386,8 @@ TEST_CASE("a summary has what lies in the last words of bits of a large chain") 
     CHECK(given.same_content(one));
     for (const ig_field field : fields) CHECK(given.number(field) == 0.5 + field);
   }
+  for (ig_field word = 0; word <= Document::Summary::most_pieces; ++word) scanned.add(word * 64, {.number = 1});
+  CHECK_FALSE(scanned.hand_over());
 }
 
 }  // namespace

@@ -72,11 +72,6 @@ ScanAhead::~ScanAhead() {
 // ---- the run
 
 const ScannedLine* ScanAhead::find(const Line& line) {
-  if (questions_ == 0) [[unlikely]] {
-    run_at_.store(line.offset, std::memory_order_relaxed);
-    if (is_built_) ask(line.offset);
-    return nullptr;
-  }
   while (next_ != end_ || take_batch()) {
     const auto& found = *reinterpret_cast<const ScannedLine*>(next_);
     if (found.offset > line.offset) break;
@@ -89,7 +84,7 @@ const ScannedLine* ScanAhead::find(const Line& line) {
   }
   run_at_.store(line.offset, std::memory_order_relaxed);
   const bool is_on_the_way = line.offset < from_ && line.offset + lead >= from_;
-  if (!is_on_the_way && (++misses_ >= patience_ || hits_ >= enough_hits)) ask(line.offset);
+  if (!is_on_the_way && is_built_ && (++misses_ >= patience_ || hits_ >= enough_hits)) ask(line.offset);
   return nullptr;
 }
 

@@ -74,8 +74,8 @@ class ScanAhead : FlowHost {
   void scan(const Line& line);
 
   static constexpr std::uint64_t enough_lines = 4096;
-  static constexpr std::uint32_t least_patience = 4, most_patience = 1u << 24;
-  static constexpr std::uint64_t enough_hits = 64;
+  static constexpr std::uint32_t least_patience = 4, most_patience = 1u << 24;  // in lines
+  static constexpr std::uint64_t enough_hits = 64;  // that an answer has to give, for the next question to come at once
   // The run's.
   const std::byte *next_ = nullptr, *end_ = nullptr;  // of the batch that it reads
   bool has_batch_ = false;
@@ -104,8 +104,8 @@ class ScanAhead : FlowHost {
   std::atomic<bool> is_built_ = false;    // the thread's chain: it can be asked
   bool stops_ = false, has_ended_ = false;
   std::thread thread_;
-  alignas(cache_line) std::atomic<std::uint64_t> run_at_ =
-      0;  // where nothing was ready last: often written, seldom read
+  // Where nothing was ready last: often written, seldom read, and so apart from the others.
+  alignas(cache_line) std::atomic<std::uint64_t> run_at_ = 0;
 };
 
 }  // namespace isogloss

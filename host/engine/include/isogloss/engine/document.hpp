@@ -269,7 +269,6 @@ class alignas(64) Document {
   /// woken. Until hand_over() only add_words() and add() write to it.
   void begin_scan(Summary& out) {
     wake_none();
-    touched_ = 0;
     summary_ = &out;
     out.fields = 0;
   }
@@ -278,8 +277,8 @@ class alignas(64) Document {
   void add(ig_field f, ig_value v);
   /// The summary is complete, and the block has nothing of it any more. False where it got too much.
   bool hand_over();
-  /// Starts the next block in place of begin(), after hand_over(), and its scan, too. False, with nothing done, where a
-  /// value stays.
+  /// Starts the next block of the file in place of begin(), after hand_over(), and its scan, too. False, with nothing
+  /// done, where a value stays.
   bool begin_scan_again(std::uint32_t line, std::string_view text, Summary& out) {
     if (keeps_value_) [[unlikely]]
       return false;
@@ -307,6 +306,7 @@ class alignas(64) Document {
     if ((summary.wakes[1] & wakes_beyond) != 0) [[unlikely]]
       for (const Summary::Field* f = summary.field; f != end; ++f) wake_far(wake_ + std::size_t{f->id()} * wake_words_);
   }
+  /// Nothing has woken a syntax so far.
   void wake_none() { active[0] = active[1] = 0; }
   void rewrite(ig_field f, ig_value v);
   /// From now on every change of the field adds these bits to `changes`.
@@ -517,7 +517,6 @@ class alignas(64) Document {
   void find_open_words(std::vector<std::uint64_t>& wake);
   bool has_far_words() const { return (active[1] & holds_far_words) != 0; }
   void mark_pointless(ig_field f, bool pointless);
-  static constexpr std::uint32_t last_touched = 63;
   const Layout* layout_;
   std::uint32_t size_ = 0, words_ = 0, wake_words_ = 2;
   std::uint32_t points_end_ = 0;  // no three fields begin here or behind
@@ -572,8 +571,7 @@ class alignas(64) Document {
   std::string own_text_;
   // Of a block that is summed up.
   Summary* summary_ = nullptr;
-  std::uint64_t touched_ = 0;  // a bit for each word of bits; the last one for all words from there on
-  bool keeps_value_ = true;    // one that is not of this block alone
+  bool keeps_value_ = true;  // one that is not of this block alone
 
  public:
   FoundByPlace<RecordShape> record_shapes;  // last: what every block touches lies together
