@@ -30,7 +30,8 @@ class Writing {
   std::uint64_t begin_;
 };
 
-/// While one of these lives, a signal that ends the process waits, but not for long: whole lines are to be written.
+/// While one of these lives, a signal that ends the process waits, but not for long: whole lines are to be written, or
+/// a temporary file is made.
 class WholeLines {
  public:
   WholeLines();

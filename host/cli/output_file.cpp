@@ -105,6 +105,7 @@ std::unique_ptr<OutputFile> OutputFile::open(const std::string& path, std::strin
     error = std::strerror(errno);
     return nullptr;
   }
+  const WholeLines none_is_left;  // a signal waits until the file would be removed
   std::string temporary = target + ".XXXXXX";
   const int descriptor = mkostemp(temporary.data(), O_CLOEXEC);
   if (descriptor < 0) {

@@ -92,11 +92,14 @@ int copy_of_stdin(std::string& fault) {
   constexpr std::uint64_t most_bytes = std::uint64_t{1} << 34;
   const char* const folder = std::getenv("TMPDIR");
   std::string name = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/isogloss-XXXXXX";
-  const int file = ::mkostemp(name.data(), O_CLOEXEC);
-  if (file < 0) return fault = name + ": " + std::strerror(errno), -1;
-  // A descriptor that can only read.
-  const int copy = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
-  ::unlink(name.c_str());
+  int file = -1, copy = -1;
+  {
+    const WholeLines none_is_left;
+    file = ::mkostemp(name.data(), O_CLOEXEC);
+    if (file < 0) return fault = name + ": " + std::strerror(errno), -1;
+    copy = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);  // can only read
+    ::unlink(name.c_str());
+  }
   const std::unique_ptr<char[]> buffer(new char[1u << 16]);
   std::uint64_t size = 0;
   while (fault.empty()) {

@@ -50,10 +50,14 @@ void Spool::keep(const char* bytes, std::size_t size) {
   size -= in_memory;
   if (size == 0 || lost_) return;
   if (file_ < 0) {
-    const char* const folder = std::getenv("TMPDIR");
-    std::string name = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/isogloss-XXXXXX";
-    file_ = ::mkostemp(name.data(), O_CLOEXEC);
-    if (file_ >= 0) ::unlink(name.c_str());
+    const char* const named = std::getenv("TMPDIR");
+    const std::string folder = named != nullptr && *named != '\0' ? named : "/tmp";
+    file_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_EXCL | O_CLOEXEC, 0600);
+    if (file_ < 0) {  // not on every file system
+      std::string name = folder + "/isogloss-XXXXXX";
+      file_ = ::mkostemp(name.data(), O_CLOEXEC);
+      if (file_ >= 0) ::unlink(name.c_str());
+    }
   }
   while (size > 0 && file_ >= 0) {
     const std::size_t n = bytes_of([&] { return ::write(file_, bytes, size); });
