@@ -381,15 +381,17 @@ void Document::move_frame(ig_field f, const double* matrix) {
 }
 
 void Document::compose() {
-  composed_ = Frame{};
+  bool is_first = true;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     const Frame& entry = frames_[i];
     if (entry.kind == Frame::Kind::identity || !present(layout_->transforms[i])) continue;
-    if (composed_.kind == Frame::Kind::identity)
+    if (is_first)
       composed_ = entry;
     else
-      composed_ = composed_ * entry;
+      composed_.append(entry);
+    is_first = false;
   }
+  if (is_first) composed_ = Frame{};
   composed_valid_ = true;
   inverse_valid_ = false;
 }

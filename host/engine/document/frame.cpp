@@ -13,24 +13,36 @@ void Frame::assign(const double* m) {
   is_moving = false;
 }
 
-Frame operator*(const Frame& first, const Frame& then) {
-  if (first.kind == Frame::Kind::identity) return then;
-  if (then.kind == Frame::Kind::identity) return first;
-  if (first.kind == Frame::Kind::translation && then.kind == Frame::Kind::general) {
-    Frame out = then;
-    const double* const way = first.matrix + 12;
+void Frame::append(const Frame& next) {
+  if (next.kind == Kind::identity) return;
+  if (kind == Kind::identity) {
+    *this = next;
+  } else if (kind == Kind::translation && next.kind == Kind::general) {
+    const double way[3] = {matrix[12], matrix[13], matrix[14]};
+    std::memcpy(matrix, next.matrix, 12 * sizeof(double));
     for (int column = 0; column < 4; ++column)
-      out.matrix[12 + column] = way[0] * then.matrix[column] + way[1] * then.matrix[4 + column] +
-                                way[2] * then.matrix[8 + column] + then.matrix[12 + column];
-    return out;
-  }
-  Frame out = first;
-  if (then.kind == Frame::Kind::translation) {
+      matrix[12 + column] = way[0] * matrix[column] + way[1] * matrix[4 + column] + way[2] * matrix[8 + column] +
+                            next.matrix[12 + column];
+    kind = Kind::general;
+  } else if (kind == Kind::translation) {
+    for (int column = 12; column < 15; ++column) matrix[column] += next.matrix[column];
+  } else if (next.kind == Kind::translation) {
     for (int row = 0; row < 4; ++row)
       for (int column = 0; column < 3; ++column)
-        out.matrix[row * 4 + column] += first.matrix[row * 4 + 3] * then.matrix[12 + column];
+        matrix[row * 4 + column] += matrix[row * 4 + 3] * next.matrix[12 + column];
+  } else {
+    *this = *this * next;
+  }
+}
+
+Frame operator*(const Frame& first, const Frame& then) {
+  if (first.kind != Frame::Kind::general || then.kind != Frame::Kind::general) {
+    Frame out = first;
+    out.append(then);
     return out;
   }
+  Frame out;
+  out.kind = Frame::Kind::general;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) {
       double sum = 0;

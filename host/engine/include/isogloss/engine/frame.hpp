@@ -31,6 +31,8 @@ struct Frame {
       for (int i = 0; i < 3; ++i) out[i] = in[i] + matrix[12 + i];
     }
   }
+  /// This entry, and then the next one.
+  void append(const Frame& next);
   friend Frame operator*(const Frame& first, const Frame& then);
   std::optional<Frame> inverse() const;
 };
