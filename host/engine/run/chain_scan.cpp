@@ -50,6 +50,7 @@ template <bool is_heard>
   Document& d = document_;
   const char* const text = d.source.text.data();
   const std::size_t size = d.source.text.size();
+  ig_block* const block = d.block();
   while (position < size) {
     const auto c = static_cast<unsigned char>(text[position]);
     if (is_blank(c)) {
@@ -68,7 +69,7 @@ template <bool is_heard>
     for (const std::uint16_t scanner : scanners_[c]) {
       const Step& step = steps_[scanner];
       d.current = static_cast<std::uint16_t>(scanner + 1);
-      next = step.scan(step.self, host_, d.block(), text, size, position);
+      next = step.scan(step.self, host_, block, text, size, position);
       if (next > position) break;
       if (next < position) [[unlikely]]
         refuse_begin(*this, position);

@@ -19,7 +19,7 @@ void Cursor::open(Source& source, std::size_t maximum_line_bytes, const Segmente
   maximum_ = std::max<std::size_t>(maximum_line_bytes, 1);
   if (buffer_.empty()) buffer_.resize(window);
   begin_ = end_ = whole_ = 0;
-  offset_ = 0;
+  offset_ = unmarked_ = 0;
   terminator_ = '\n';
   started_ = at_end_ = utf16_ = has_failed_ = false;
   number_ = 0;
@@ -67,6 +67,7 @@ void Cursor::start() {
 void Cursor::seek(std::uint64_t offset, std::uint32_t number) {
   if (!started_) start();
   skips_ = false;
+  unmarked_ = 0;
   number_ = number - 1;
   offset = std::max(offset, first_);
   const std::uint64_t first = offset_ - (begin_ - whole_), last = offset_ + (end_ - begin_);
@@ -101,6 +102,15 @@ bool Cursor::goes_on(std::string_view line) const {
   if (ends_in_mark(line)) return true;
   const std::size_t comment = segmenter_->comment.empty() ? std::string_view::npos : line.find(segmenter_->comment);
   return comment != std::string_view::npos && ends_in_mark(line.substr(0, comment));
+}
+
+/// True where the line of `size` bytes has no mark of a continuation. Most programs have none or few: the next one is
+/// looked for in the whole window.
+inline bool Cursor::is_unmarked(std::size_t size) {
+  if (offset_ + size <= unmarked_) return true;
+  const std::string_view window(buffer_.data() + begin_, end_ - begin_);
+  unmarked_ = offset_ + std::min(window.find(segmenter_->continuation.back()), window.size());
+  return offset_ + size <= unmarked_;
 }
 
 /// More lines for a block whose first line ends at `size`. False when the last one has no end.
@@ -153,7 +163,7 @@ bool Cursor::next(Line& line) {
   line.number = ++number_;
   line.lines = 1;
   line.offset = offset_;
-  if (joins_ && has_end) has_end = join(line, size);
+  if (joins_ && has_end && !is_unmarked(size)) has_end = join(line, size);
   line.truncated = size > maximum_;
   if (line.truncated && !has_end) return cut_long_line(line, size);
   line.text = std::string_view(buffer_.data() + begin_, std::min(size, maximum_));

@@ -76,6 +76,7 @@ class Cursor {
   bool fill();  // false: nothing more came
   void start();
   bool find_end(std::size_t& size);
+  bool is_unmarked(std::size_t size);
   bool goes_on(std::string_view line) const;
   bool join(Line& line, std::size_t& size);
   bool skip_rest_of_block();
@@ -87,9 +88,10 @@ class Cursor {
   std::size_t maximum_ = 1;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;
-  std::size_t whole_ = 0;     // from here to end_ the buffer holds the source's bytes as they are
-  std::uint64_t offset_ = 0;  // of the byte at begin_
-  std::uint64_t first_ = 0;   // of the first line
+  std::size_t whole_ = 0;       // from here to end_ the buffer holds the source's bytes as they are
+  std::uint64_t offset_ = 0;    // of the byte at begin_
+  std::uint64_t first_ = 0;     // of the first line
+  std::uint64_t unmarked_ = 0;  // no mark of a continuation stands between offset_ and here
   char terminator_ = '\n';
   bool started_ = false, at_end_ = false, utf16_ = false, has_failed_ = false;
   std::uint32_t number_ = 0;

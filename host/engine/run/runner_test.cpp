@@ -450,6 +450,30 @@ TEST_CASE("lines that end in the segmenter's mark are one block with those that 
   CHECK(joined("a ... ;x\nb", dots) == std::vector<Joined>{{"a ... ;x", 1, 1, false}, {"b", 2, 1, false}});
 }
 
+TEST_CASE("lines go on at their marks wherever these stand in the reading window, and after a step back") {
+  const Segmenter tilde{"line", "~", ";"};
+  std::string text;
+  std::vector<Joined> expected;
+  for (std::uint32_t i = 1; i <= 60'000; ++i) {
+    const std::string line = "X" + std::to_string(i);
+    const bool goes_on = i % 997 == 0;
+    text += line + (goes_on ? " ~\nY\n" : "\n");
+    const std::uint32_t number = expected.empty() ? 1 : expected.back().number + expected.back().lines;
+    expected.push_back({goes_on ? line + " ~\nY" : line, number, goes_on ? 2u : 1u, false});
+  }
+  CHECK(joined(text, tilde) == expected);
+
+  const auto source = memory_source(std::string_view("a ~\nb\nc\nd\n"));
+  Cursor cursor(*source, 1000, tilde);
+  Line line;
+  cursor.seek(6, 3);
+  REQUIRE(cursor.next(line));
+  CHECK(line.text == "c");
+  cursor.seek(0, 1);
+  REQUIRE(cursor.next(line));
+  CHECK(line.text == "a ~\nb");
+}
+
 TEST_CASE("a block of lines that go on is bounded, and what it goes on in is no block") {
   std::string text;
   for (int i = 0; i < 300'000; ++i) text += "~\n";

@@ -97,6 +97,14 @@ class Block {
   bool has_any(const F&... fields) const {
     return (has(fields) || ...);
   }
+  bool has_any(const AnyOf& fields) const {
+    const ig_view* const shown = view();
+    if (shown == nullptr || fields.size() > shown->field_count) [[unlikely]]
+      return std::ranges::any_of(fields.ids(), [&](ig_field f) { return has(f); });
+    for (const AnyOf::Bits& bits : fields.bits())
+      if ((shown->bits[bits.word].present & bits.mask) != 0) return true;
+    return false;
+  }
   /// Reads at most 32 fields; returns a bit for each that has a value. `out` is left alone for the others.
   std::uint32_t get_many(const ig_field* fields, std::uint32_t count, ig_value* out) const {
     const ig_view* const shown = view();
@@ -122,6 +130,14 @@ class Block {
     if (shown == nullptr) [[unlikely]]
       return host_->is_fresh(block_, f) != 0;
     return shows_fresh(shown, f);
+  }
+  bool is_any_fresh(const AnyOf& fields) const {
+    const ig_view* const shown = view();
+    if (shown == nullptr || fields.size() > shown->field_count) [[unlikely]]
+      return std::ranges::any_of(fields.ids(), [&](ig_field f) { return is_fresh(f); });
+    for (const AnyOf::Bits& bits : fields.bits())
+      if ((shown->bits[bits.word].fresh & bits.mask) != 0) return true;
+    return false;
   }
   template <class F>
   bool is_fresh(const F& field) const {

@@ -2,8 +2,10 @@
 /// once when the plugin is loaded and once for each chain, and must be the same each time.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "isogloss/declare.hpp"
 
@@ -118,6 +120,37 @@ class Xyz {
  private:
   std::array<ig_field, 3> ids_{};
   ig_field point_ = IG_NO_FIELD;
+};
+
+/// Fields of other members, which stand before it: b.has_any(fields) and b.is_any_fresh(fields) ask about all of
+/// them as fast as about one or two.
+class AnyOf {
+ public:
+  /// The fields whose bits lie in one word of ig_view.
+  struct Bits {
+    std::size_t word;
+    std::uint64_t mask;
+  };
+
+  AnyOf(std::initializer_list<ig_field> fields) : AnyOf(std::span(fields.begin(), fields.size())) {}
+  explicit AnyOf(std::span<const ig_field> fields) : ids_(fields.begin(), fields.end()) {
+    for (const ig_field id : ids_) {
+      if (id == IG_NO_FIELD) continue;
+      const auto same = std::ranges::find(bits_, std::size_t{id} / 64, &Bits::word);
+      Bits& bits = same != bits_.end() ? *same : bits_.emplace_back(Bits{id / 64, 0});
+      bits.mask |= std::uint64_t{1} << id % 64;
+      size_ = std::max(size_, id + 1);
+    }
+  }
+  std::span<const ig_field> ids() const { return ids_; }
+  std::span<const Bits> bits() const { return bits_; }
+  /// One more than the largest field.
+  ig_field size() const { return size_; }
+
+ private:
+  ig_field size_ = 0;
+  std::vector<ig_field> ids_;
+  std::vector<Bits> bits_;
 };
 
 /// A modal group or another set of codes: "G17", "G18", "G19". The codes are taken, and the syntax runs when the block

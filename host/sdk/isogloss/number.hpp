@@ -45,6 +45,20 @@ inline constexpr double powers_of_ten[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6
   return true;
 }
 
+/// Eight characters as digits, as read_eight() gives them: a digit becomes 0 to 9, any other character more.
+constexpr std::uint64_t digit_values(std::uint64_t bytes) { return bytes ^ 0x3030303030303030; }
+/// The highest bit of the first byte that is no digit; those of bytes behind it tell nothing.
+constexpr std::uint64_t first_other(std::uint64_t values) {
+  return ((values + 0x7676767676767676) | values) & 0x8080808080808080;
+}
+/// The number that the first 1 to 8 digits make.
+constexpr std::uint64_t number_of(std::uint64_t values, int count) {
+  values <<= 8 * (8 - count);  // leading zeros
+  values = (values * 10 + (values >> 8)) & 0x00ff00ff00ff00ff;
+  values = (values * 100 + (values >> 16)) & 0x0000ffff0000ffff;
+  return (values * 10'000 + (values >> 32)) & 0xffffffff;
+}
+
 /// A number of at most eight digits and a point, without its sign: as nearly all are. False, with `out` as it was,
 /// where it is longer, no number, or near the end of a text of a few bytes.
 [[gnu::always_inline]] inline bool read_short_decimal(std::string_view text, const char* p, bool is_negative,
@@ -52,8 +66,8 @@ inline constexpr double powers_of_ten[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6
   if constexpr (std::endian::native != std::endian::little) return false;
   std::uint64_t bytes;
   if (!read_eight(text, p, bytes)) return false;
-  const std::uint64_t values = bytes ^ 0x3030303030303030;  // digits become 0 to 9, all others more
-  std::uint64_t others = ((values + 0x7676767676767676) | values) & 0x8080808080808080;
+  const std::uint64_t values = digit_values(bytes);
+  std::uint64_t others = first_other(values);
   if (others == 0) return false;
   const int whole = std::countr_zero(others) / 8;
   std::uint64_t digits = values;
@@ -68,11 +82,8 @@ inline constexpr double powers_of_ten[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6
     digits = (values & before) | (values >> 8 & ~before);
   }
   if (count == 0) return false;
-  digits <<= 8 * (8 - count);  // leading zeros
-  digits = (digits * 10 + (digits >> 8)) & 0x00ff00ff00ff00ff;
-  digits = (digits * 100 + (digits >> 16)) & 0x0000ffff0000ffff;
-  digits = (digits * 10'000 + (digits >> 32)) & 0xffffffff;
-  const double value = static_cast<double>(static_cast<std::int64_t>(digits)) / powers_of_ten[count - whole];
+  const auto number = static_cast<std::int64_t>(number_of(digits, count));
+  const double value = static_cast<double>(number) / powers_of_ten[count - whole];
   out.value = is_negative ? -value : value;
   out.end = static_cast<std::size_t>(p - text.data() + length);
   out.has_point = has_point;
@@ -139,6 +150,30 @@ inline constexpr double powers_of_ten[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6
   if (detail::read_short_decimal(text, p + (has_sign ? 1 : 0), sign == '-', out)) [[likely]]
     return out;
   return detail::read_any_decimal(text, position);
+}
+
+/// Digits without a sign and a point. `ok` is false where there are none or more than 18; `end` is behind them.
+struct Digits {
+  std::uint64_t value = 0;
+  std::size_t end = 0;
+  bool ok = false;
+};
+
+/// The digits that begin at `position` of the text.
+inline Digits read_digits(std::string_view text, std::size_t position) {
+  std::uint64_t bytes;
+  if (std::endian::native == std::endian::little && detail::read_eight(text, text.data() + position, bytes)) {
+    const std::uint64_t values = detail::digit_values(bytes), other = detail::first_other(values);
+    const int count = std::countr_zero(other) / 8;
+    if (count == 0) return {.end = position};
+    if (other != 0) return {detail::number_of(values, count), position + static_cast<std::size_t>(count), true};
+  }
+  Digits out{.end = position};
+  constexpr std::size_t most = 18;
+  for (; out.end < text.size() && static_cast<unsigned char>(text[out.end] - '0') < 10; ++out.end)
+    if (out.end - position < most) out.value = out.value * 10 + static_cast<unsigned char>(text[out.end] - '0');
+  out.ok = out.end > position && out.end - position <= most;
+  return out;
 }
 
 }  // namespace ig

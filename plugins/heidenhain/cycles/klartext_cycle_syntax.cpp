@@ -41,8 +41,15 @@ struct KlartextCycle {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     const bool is_open = b.is_raised(is_open_);
+    const unsigned first = letter_index(text[position]);
+    if (!is_open && first != letter_index('C') && first != letter_index('Q')) return position;
+    return read(b, text, position, is_open);
+  }
+
+ private:
+  [[gnu::noinline]] std::size_t read(ig::Block& b, std::string_view text, std::size_t position, bool is_open) const {
+    if (!stands_first(text, position)) return position;
     const char first = to_upper(text[position]);
-    if ((!is_open && first != 'C' && first != 'Q') || !stands_first(text, position)) return position;
     if ((is_open || first == 'Q') && !b.is_in_turn()) return position;
     const std::size_t end = statement_end(text, position);
     const std::size_t definition = keyword(text, position, "CYCL DEF"), call = keyword(text, position, "CYCL CALL");
@@ -61,7 +68,6 @@ struct KlartextCycle {
     return end;
   }
 
- private:
   /// Returns `begin` where another syntax executes the cycle.
   std::size_t define(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     const auto number = CycleNumber::at(text, skip(text, i));

@@ -34,16 +34,10 @@ struct KlartextLabel {
   ig::Name call_label_{"CALL LBL"}, call_program_{"CALL PGM"}, call_selected_{"CALL SELECTED PGM"};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
-    const auto found = statement_at(text, position);
-    if (!found || !stands_first(text, position) || !b.is_in_turn()) return position;
-    const std::size_t end = statement_end(text, position);
-    if (values_.is_indexing()) {
-      if (found->kind == Kind::label) name_label(b, text, found->after, end);
-      return end;
-    }
-    found_ = {found->kind, position, found->after, end};
-    b.raise(statement_);
-    return end;
+    // The second letters of CALL, LBL and SEL: nearly all blocks begin otherwise.
+    const unsigned second = letter_index(at(text, position + 1));
+    if (second != letter_index('A') && second != letter_index('B') && second != letter_index('E')) return position;
+    return statement(b, text, position);
   }
 
   ig::Status build(ig::Block& b) {
@@ -61,6 +55,19 @@ struct KlartextLabel {
   }
 
  private:
+  [[gnu::noinline]] std::size_t statement(ig::Block& b, std::string_view text, std::size_t position) {
+    const auto found = statement_at(text, position);
+    if (!found || !stands_first(text, position) || !b.is_in_turn()) return position;
+    const std::size_t end = statement_end(text, position);
+    if (values_.is_indexing()) {
+      if (found->kind == Kind::label) name_label(b, text, found->after, end);
+      return end;
+    }
+    found_ = {found->kind, position, found->after, end};
+    b.raise(statement_);
+    return end;
+  }
+
   enum class Kind { label, call, program, selection, selected };
   struct Found {
     Kind kind;
@@ -68,8 +75,6 @@ struct KlartextLabel {
   };
 
   static std::optional<Found> statement_at(std::string_view text, std::size_t position) {
-    // The second letters of CALL, LBL and SEL: nearly all blocks begin otherwise.
-    if (std::string_view("ABE").find(to_upper(at(text, position + 1))) == std::string_view::npos) return std::nullopt;
     if (const std::size_t i = keyword(text, position, "CALL LBL"); i != position) return Found{Kind::call, i};
     if (const std::size_t i = keyword(text, position, "CALL PGM"); i != position) return Found{Kind::program, i};
     if (const std::size_t i = keyword(text, position, "CALL SELECTED PGM"); i != position)

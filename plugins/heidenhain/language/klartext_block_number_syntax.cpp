@@ -19,7 +19,7 @@ struct KlartextBlockNumber {
   ig::Out<std::int64_t> n_{"Source.N"};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    if (skip_blanks(text, 0) != position) return position;
+    if (position != 0 && skip_blanks(text, 0) != position) return position;
     std::size_t i = position;
     if (text[i] == '/') {
       if (skips(b, text, i, true)) return text.size();
@@ -34,14 +34,10 @@ struct KlartextBlockNumber {
  private:
   /// Sets the number that begins at `begin`, and says where it ends.
   std::size_t number_end(ig::Block& b, std::string_view text, std::size_t begin) const {
-    std::int64_t number = 0;
-    std::size_t end = begin;
-    for (; is_digit(at(text, end)); ++end)
-      if (end - begin < most_digits) number = number * 10 + (text[end] - '0');
-    if (end > begin && end - begin <= most_digits) b.set(n_, number);
-    return end;
+    const ig::Digits digits = ig::read_digits(text, begin);
+    if (digits.ok) b.set(n_, static_cast<std::int64_t>(digits.value));
+    return digits.end;
   }
-  static constexpr std::size_t most_digits = 18;
 
   /// Takes the sign at `i`; true where the block is skipped.
   bool skips(ig::Block& b, std::string_view text, std::size_t& i, bool before_number) const {

@@ -93,7 +93,11 @@ constexpr std::size_t first_word(std::string_view text) {
   if (at(text, i) == '/') i = skip_blanks(text, skip_sign_end(text, i, false));
   return i;
 }
-constexpr bool stands_first(std::string_view text, std::size_t position) { return position == first_word(text); }
+constexpr bool stands_first(std::string_view text, std::size_t position) {
+  const std::size_t digits = skip_digits(text, 0);
+  const bool is_behind_number = digits > 0 && position == digits + 1 && text[digits] == ' ';  // 12 L, as nearly always
+  return (is_behind_number && is_letter(at(text, position))) || position == first_word(text);
+}
 
 /// The position after the words of `upper`, each of which may be followed by blanks; `position` itself where they are
 /// not there. No letter may follow the last word.

@@ -12,6 +12,8 @@ using namespace ig::cnc;
 /// A member of the syntax that makes a path of the words.
 class DeparturePath {
  public:
+  /// The field that a block with DEP has.
+  ig_field shape() const { return words_.shape(); }
   /// The words of DEP; nothing where the block has none.
   std::optional<KlartextDeparture::Way> words(const ig::Block& b) const { return words_.get(b); }
 

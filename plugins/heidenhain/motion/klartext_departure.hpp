@@ -18,6 +18,7 @@ class KlartextDeparture {
         radius_("KlartextDeparture.Radius_mm", access, {ig::Life::block, "mm", "R"}),
         angle_("KlartextDeparture.Angle_deg", access, {ig::Life::block, "deg", "CCA"}) {}
 
+  ig_field shape() const { return shape_.id(); }
   void set(ig::Block& b, const Way& way) const {
     b.set(shape_, static_cast<std::int64_t>(way.shape));
     b.set(length_, way.length);

@@ -56,12 +56,26 @@ struct KlartextMotion {
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
   ig::Out<bool> in_plane_{"KlartextPath.IsFeedInPlane", {ig::Life::block, "", "The move may end in a corner."}};
   ig::Signal open_{"KlartextCorner.~Open", ig::read | ig::write, ig::Life::modal};
-  ig::Name lp_{"LP"}, c_{"C"}, cc_{"CC"}, cr_{"CR"}, ct_{"CT"}, cp_{"CP"}, ctp_{"CTP"}, rnd_{"RND"};
+  /// Without these a straight line goes to its words.
+  ig::AnyOf more_than_words_{steps_[0],           steps_[1],          steps_[2],        retract_.to_limit(),
+                             retract_.distance(), departure_.shape(), mirror_term_.id()};
+  ig::AnyOf rotary_words_{rotary_[0], rotary_[1], rotary_[2]};
+  ig::Name l_{"L"}, ln_{"LN"}, lp_{"LP"}, c_{"C"}, cc_{"CC"}, cr_{"CR"}, ct_{"CT"}, cp_{"CP"}, ctp_{"CTP"}, rnd_{"RND"};
 
   ig::Status build(ig::Block& b) {
-    const ig::Symbol function = b.get_or(function_, ig::Symbol{});
-    if (!b.has(function_) || function == cc_) return ig::Status::unchanged;
+    const auto function = b.get(function_);
+    if (!function || *function == cc_) return ig::Status::unchanged;
     const ig::PartialVec3 named = b.get(words_);
+    const bool is_plain = (*function == l_ || *function == ln_) && named.mask != 0 && !b.has_any(more_than_words_);
+    if (!is_plain) return resolve(b, *function, named);
+    const ig::Vec3 from = last_(b), to = named.or_else(from);
+    note_corner(b, plane_.tool_axis(b), from, to);
+    keep_tangent(b, to - from);
+    return ig::Status::changed;
+  }
+
+ private:
+  [[gnu::noinline]] ig::Status resolve(ig::Block& b, ig::Symbol function, const ig::PartialVec3& named) const {
     ig_value steps[3];
     const std::uint32_t has_steps =
         b.has_any(steps_[0], steps_[1], steps_[2]) ? b.take_many(steps_.data(), 3, steps) : 0;
@@ -85,12 +99,7 @@ struct KlartextMotion {
     }
     if (way.mask == 0 && function != c_) return ig::Status::changed;
     if (is_polar || has_steps != 0 || function == c_) put(b, way);
-    if (way.to[way.plane.tool] == way.from[way.plane.tool] && can_end_in_corner(b)) {
-      b.set(in_plane_, true);
-      b.raise(open_);
-    } else if (b.is_raised(open_)) {
-      b.erase(open_);
-    }
+    note_corner(b, way.plane.tool, way.from, way.to);
 
     if (function == c_ || function == cp_) return about_pole(b, way);
     if (function == ct_ || function == ctp_)
@@ -102,7 +111,6 @@ struct KlartextMotion {
     return ig::Status::changed;
   }
 
- private:
   /// The start of the block in coordinates of the program, before mirror images, which come after this syntax.
   ig::Vec3 start(ig::Block& b) const {
     const ig::Vec3 last = last_(b);
@@ -119,14 +127,18 @@ struct KlartextMotion {
     return ig::Field<double>(path, ig::read | ig::write, {ig::Life::standard, "mm", ""}).id();
   }
 
-  /// True for a feed move without rotary axes: KlartextCornerSyntax looks for RND and CHF after it.
+  /// After a feed move in the plane without rotary axes KlartextCornerSyntax looks for RND and CHF.
+  void note_corner(ig::Block& b, std::size_t tool_axis, const ig::Vec3& from, const ig::Vec3& to) const {
+    if (from[tool_axis] == to[tool_axis] && can_end_in_corner(b)) {
+      b.set(in_plane_, true);
+      b.raise(open_);
+    } else if (b.is_raised(open_)) {
+      b.erase(open_);
+    }
+  }
   bool can_end_in_corner(const ig::Block& b) const {
     const auto code = b.find(motions_);
-    if (!code || *code == 0) return false;
-    ig_value unused;
-    for (const ig_field axis : rotary_)
-      if (b.get(axis, unused)) return false;
-    return true;
+    return code && *code != 0 && !b.has_any(rotary_words_);
   }
 
   /// Writes positions into the block; an axis that it does not move gets no word.

@@ -38,6 +38,7 @@ struct KlartextPath {
   FeedWords feed_;
   MFunctions m_;
   ig::Out<ig::Symbol> function_{"KlartextPath.Function", {ig::Life::block, "", "The path function of the block."}};
+  ig::Signal pole_{"KlartextPath.~Pole", ig::write};  // L and LN alone have nothing to do with it
   ig::Out<bool> is_ccw_{"KlartextPath.IsCcw", {ig::Life::block, "", "DR+ of the block; DR- is false."}};
   std::array<ig_field, 6> axes_{word("X", "mm"),  word("Y", "mm"),  word("Z", "mm"),
                                 word("A", "deg"), word("B", "deg"), word("C", "deg")};
@@ -62,7 +63,7 @@ struct KlartextPath {
     const auto found = path_function_at(text, position);
     if (!found) return position;
     if (values_.is_indexing()) return statement_end(text, position);
-    Path path{found->function, found->end, statement_end(text, position)};
+    Path path{found->function, found->end, text.size()};
     if (path.function == RND || path.function == CHF) return corner(b, text, position, path);
     return read(b, text, position, path);
   }
@@ -86,6 +87,7 @@ struct KlartextPath {
 
   std::size_t read(ig::Block& b, std::string_view text, std::size_t begin, Path& path) const {
     Words words = plain_positions(text, path);
+    if (words.end < text.size()) path.end = statement_end(text, words.end);
     for (std::size_t i = skip(text, words.end); i < path.end; i = skip(text, i)) {
       words.give(b);
       const std::size_t next = word_at(b, text, i, path);
@@ -104,9 +106,6 @@ struct KlartextPath {
     std::array<ig_word, 7> words;
     std::uint32_t count = 0;
     std::size_t end = 0;
-    void add(ig_field field, std::size_t first, std::size_t last, ig_value value) {
-      words[count++] = {field, column(first), column(last), value, 0, 0};
-    }
     void give(ig::Block& b) {
       if (count > 0) b.set_words(words.data(), count);
       count = 0;
@@ -117,7 +116,8 @@ struct KlartextPath {
     Words out;
     out.end = path.position;
     unsigned seen = 0;
-    while (path.function < APPR) {
+    const bool has_columns = text.size() <= column(text.size());
+    while (path.function < APPR && has_columns) {
       const std::size_t begin = skip_blanks(text, out.end);
       const std::size_t axis = axis_of(at(text, begin));
       if (axis > 5 || (seen >> axis & 1u) != 0) break;
@@ -125,7 +125,12 @@ struct KlartextPath {
       const char behind = at(text, d.end);
       if (!d.ok || !(is_blank(behind) || behind == '\0')) break;
       seen |= 1u << axis;
-      out.add(axes_[axis], begin, d.end, {.number = d.value + 0.0});
+      out.words[out.count++] = {axes_[axis],
+                                static_cast<std::uint16_t>(begin),
+                                static_cast<std::uint16_t>(d.end),
+                                {.number = d.value + 0.0},
+                                0,
+                                0};
       out.end = d.end;
     }
     path.has_axis = out.count > 0;
@@ -236,14 +241,18 @@ struct KlartextPath {
 
   void finish(ig::Block& b, std::size_t begin, const Path& path, Words& words) const {
     const bool is_approach = path.function >= APPR;
-    b.set(function_, symbols_[static_cast<std::size_t>(is_approach ? straight_function(b) : path.function)]);
+    const PathFunction function = is_approach ? straight_function(b) : path.function;
+    b.set(function_, symbols_[static_cast<std::size_t>(function)]);
+    if (function != L && function != LN) b.raise(pole_);
     const std::size_t end = std::max(path.position, begin + 1);
-    const auto code = [&](std::size_t motion) { words.add(motions_.id(motion), begin, end, {}); };
+    const auto code = [&](std::size_t motion) {
+      words.words[words.count++] = {motions_.id(motion), column(begin), column(end), {}, 0, 0};
+    };
     const auto where = ig::Where::columns(begin, end);
     if (path.function == DEP) side_.end(b, begin, end);
     if (is_approach) approach_.set(b, side_, path.function, path.approach, where);
     if (path.function <= LN || is_approach) {
-      code(path.is_rapid || (m_.retracts(b) && !path.has_axis) ? 0 : 1);
+      code(path.is_rapid || (!path.has_axis && m_.retracts(b)) ? 0 : 1);
     } else if (path.function != CC) {
       if (path.is_rapid) b.report(ig::diag("HEI-0135"), where, path.name());
       if (path.is_ccw) {
@@ -266,7 +275,8 @@ struct KlartextPath {
   }
 
   /// RND R5, CHF 2: between two moves, with an F of their own.
-  std::size_t corner(ig::Block& b, std::string_view text, std::size_t begin, const Path& path) const {
+  std::size_t corner(ig::Block& b, std::string_view text, std::size_t begin, Path& path) const {
+    path.end = statement_end(text, begin);
     const Value v = corner_.size(b, values_, text.substr(0, path.end), path.position, path.function);
     const auto where = ig::Where::columns(begin, std::max(path.position, v.end));
     if (!v.ok) {

@@ -16,7 +16,8 @@ struct KlartextPole {
                                    .after("KlartextPathSyntax", "UnitModeSyntax", "PlaneSelectSyntax")
                                    .before("KlartextMotionSyntax", "CircularMotionSyntax");
 
-  ig::In<ig::Symbol> function_{"KlartextPath.Function", ig::wake};
+  ig::Signal wakes_{"KlartextPath.~Pole", ig::read | ig::wake};
+  ig::In<ig::Symbol> function_{"KlartextPath.Function"};
   ig::Xyz words_{"Parsing", ig::read | ig::take};
   std::array<ig::Word, 3> steps_{ig::Word{"Parsing.IX", ig::take}, ig::Word{"Parsing.IY", ig::take},
                                  ig::Word{"Parsing.IZ", ig::take}};

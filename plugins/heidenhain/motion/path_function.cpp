@@ -16,7 +16,7 @@ bool is_axis_word(std::string_view letters) {
 
 }  // namespace
 
-std::optional<FoundPathFunction> path_function_at(std::string_view text, std::size_t position) {
+std::optional<FoundPathFunction> any_path_function_at(std::string_view text, std::size_t position) {
   using enum PathFunction;
   const std::size_t end = letters_end(text, position);
   const std::string_view letters = piece(text, position, end);

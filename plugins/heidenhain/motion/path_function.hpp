@@ -20,8 +20,14 @@ struct FoundPathFunction {
   std::size_t end;
 };
 
+std::optional<FoundPathFunction> any_path_function_at(std::string_view text, std::size_t position);
+
 /// The function of the block whose first word is at `position`, a byte offset; nothing where the block is not a path
 /// block. A block that begins with an axis or an M function is read as L, from `position` on.
-std::optional<FoundPathFunction> path_function_at(std::string_view text, std::size_t position);
+inline std::optional<FoundPathFunction> path_function_at(std::string_view text, std::size_t position) {
+  const bool is_line = text.size() - position > 1 && text[position] == 'L' && text[position + 1] == ' ';  // most blocks
+  if (is_line) return FoundPathFunction{PathFunction::L, position + 1};
+  return any_path_function_at(text, position);
+}
 
 }  // namespace heidenhain

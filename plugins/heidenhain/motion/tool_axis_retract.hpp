@@ -12,6 +12,8 @@ namespace heidenhain {
 /// A member of the syntax that makes a path of the words.
 class ToolAxisRetract {
  public:
+  ig_field to_limit() const { return to_limit_.id(); }
+  ig_field distance() const { return distance_.id(); }
   bool is_programmed(const ig::Block& b) const { return b.has(to_limit_) || b.has(distance_); }
 
   /// Makes the retract the move of the block; `here_in_program` is the point before it, in the frame in force. False,

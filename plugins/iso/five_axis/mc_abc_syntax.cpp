@@ -48,6 +48,7 @@ struct McAbc {
   /// the angles at the end.
   void turn_steps(ig::Block& b, PartialAngles& to) const {
     const std::uint32_t steps = steps_.count(b);
+    if (steps == 0) return;
     const auto holes = static_cast<std::uint32_t>(b.get_or(repeats_, std::int64_t{1}));
     const std::uint32_t of_hole = std::max(1u, steps / std::max(1u, holes));
     for (std::uint32_t step = 0; step < steps; ++step) {

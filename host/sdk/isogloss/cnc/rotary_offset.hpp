@@ -52,7 +52,7 @@ class RotaryOffsets {
   explicit RotaryOffsets(Access access = read)
       : ids_{offset("RotaryOffset.A", access), offset("RotaryOffset.B", access), offset("RotaryOffset.C", access)} {}
 
-  bool any(const Block& b) const { return b.has(ids_[0]) || b.has(ids_[1]) || b.has(ids_[2]); }
+  bool any(const Block& b) const { return b.has_any(all_); }
   Angles get(const Block& b) const { return angles_of(b, ids_).or_else({}); }
   void set(Block& b, std::size_t axis, double to) const {
     if (to != 0)
@@ -76,6 +76,7 @@ class RotaryOffsets {
     return Field<double>(path, access, {Life::modal, "deg", "What is added to a programmed angle of the axis."}).id();
   }
   std::array<ig_field, 3> ids_;
+  AnyOf all_{ids_};
 };
 
 /// A, B and C of a code that sets coordinates, for axes that the machine has. The other ones are reported at their

@@ -15,7 +15,7 @@ class PivotState {
 
   PartialAngles get(const Block& b) const { return angles_of(b, ids_); }
   ig_field id(std::size_t axis) const { return ids_[axis]; }
-  bool is_fresh(const Block& b) const { return b.fresh_many(ids_.data(), 3) != 0; }
+  bool is_fresh(const Block& b) const { return b.is_any_fresh(all_); }
   void set(Block& b, const ToolKinematics& machine, const Angles& angles) const {
     set_angles(b, ids_, {machine.mask(), angles});
   }
@@ -28,6 +28,7 @@ class PivotState {
     return Field<double>(path, access, {Life::modal, "deg", "Angle for which the entry PivotTransform stands."}).id();
   }
   std::array<ig_field, 3> ids_;
+  AnyOf all_{ids_};
 };
 
 /// What a block does with the rotary axes while the frame turns with them.

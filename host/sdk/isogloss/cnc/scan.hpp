@@ -48,6 +48,13 @@ constexpr std::size_t block_end(std::string_view text, std::size_t position) {
 }
 
 constexpr std::size_t skip_digits(std::string_view text, std::size_t position) {
+  if (!std::is_constant_evaluated() && std::endian::native == std::endian::little) {
+    std::uint64_t bytes;
+    if (ig::detail::read_eight(text, text.data() + position, bytes)) {
+      const std::uint64_t other = ig::detail::first_other(ig::detail::digit_values(bytes));
+      if (other != 0) return position + static_cast<std::size_t>(std::countr_zero(other) / 8);
+    }
+  }
   return skip_while(text, position, is_digit);
 }
 

@@ -39,6 +39,17 @@ TEST_CASE("an expression ends where no operand follows") {
   }
 }
 
+TEST_CASE("digits end at the first character that is none, wherever it stands in the text") {
+  for (std::size_t digits = 0; digits < 20; ++digits)
+    for (const std::string_view behind : {"", " ", "L", "/", ":", ".5", "\xb3 L", " L X+1 Y+2"}) {
+      const std::string text = "N" + std::string(digits, '7') + std::string(behind);
+      CAPTURE(text);
+      CHECK(skip_digits(text, 1) == 1 + digits);
+      CHECK(skip_digits(text, text.size()) == text.size());
+    }
+  static_assert(skip_digits("N12 L", 1) == 3);
+}
+
 TEST_CASE("an open bracket ends at a carriage return") {
   CHECK(skip_bracketed("[1+\r2]", 0) == 3);
   CHECK(block_end("G00\rX1", 0) == 3);
