@@ -112,7 +112,7 @@ struct KlartextPlane {
     for (std::size_t axis = 0; axis < 3 && command_.plane.kind == PlaneDefinition::axial; ++axis)
       if (const auto word = command_.plane.words[axis]) axial[axis] = *word + rotary_offset_.get(b)[axis];
     if (command_.plane.kind == PlaneDefinition::axial && !axes_) {
-      b.report(ig::diag("HEI-0172"), command_.where(), command_.plane.shown(), std::string_view("the plane stays"));
+      b.report(ig::diag("HEI-0172"), command_.where(), command_.shown(), std::string_view("the plane stays"));
       return;
     }
     for (std::size_t axis = 0; axis < 3 && command_.plane.kind == PlaneDefinition::axial; ++axis)
@@ -125,12 +125,12 @@ struct KlartextPlane {
     if (m && rotation && command_.plane.kind == PlaneDefinition::axial) m = product(*m, inverse(*rotation));
     if (!m && command_.plane.kind == PlaneDefinition::axial) {
       b.report(
-          ig::diag("HEI-0171"), command_.where(), command_.plane.shown(),
+          ig::diag("HEI-0171"), command_.where(), command_.shown(),
           std::string_view("the head has two axes, one of them inclined, turned round or shifted: the plane stays"));
       return;
     }
     if (!m || !is_finite(*m)) {
-      b.report(ig::diag("HEI-0170"), command_.where(), command_.plane.shown(), std::string_view("a direction"));
+      b.report(ig::diag("HEI-0170"), command_.where(), command_.shown(), std::string_view("a direction"));
       return;
     }
     const ig::Vec3 angles = command_.plane.kind == PlaneDefinition::spatial ? command_.plane.words_from(0)
@@ -165,7 +165,7 @@ struct KlartextPlane {
           store->set({QKind::q, q}, 0, 0);
           text_.values().note(b, q, 0);
         }
-      b.report(ig::diag("HEI-0172"), command_.where(), command_.plane.shown(),
+      b.report(ig::diag("HEI-0172"), command_.where(), command_.shown(),
                std::string_view(command_.turns_axes()
                                     ? "they do not turn, and Q120 to Q122 are not known"
                                     : "Q120 to Q122 are not known: those without a value are assumed to be 0"));
@@ -208,12 +208,13 @@ struct KlartextPlane {
     if (b.is(term_, g68_2_)) b.raise(end_.id(0));
     if (!command_.turns_axes()) return;
     if (!axes_) {
-      b.report(ig::diag("HEI-0172"), command_.where(), command_.plane.shown(), std::string_view("they do not turn"));
+      b.report(ig::diag("HEI-0172"), command_.where(), command_.shown(), std::string_view("they do not turn"));
       retract(b);
       return;
     }
     if (command_.move == PlaneCommand::Move::move)
-      b.report(ig::diag("HEI-0171"), command_.where(), std::string_view("MOVE of PLANE RESET"),
+      b.report(ig::diag("HEI-0171"), command_.where(),
+               std::string_view(command_.is_cycle ? "DIST of CYCL DEF 19" : "MOVE of PLANE RESET"),
                std::string_view("the axes turn as with TURN, and the tool tip leaves its place"));
     retract(b);
     turn_axes(b, {});

@@ -47,7 +47,9 @@ std::size_t PlaneStatement::behind_cycle_19(std::string_view text, std::size_t p
 
 void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t position,
                                 const std::optional<ig::Vec3>& in_force, PlaneCommand& command) const {
-  bool any = false, is_tilted = false;
+  bool any = false, is_tilted = false, has_feed = false;
+  std::optional<ig::Where> distance;
+  command.is_cycle = true;
   for (std::size_t i = skip(text, position); i < text.size(); i = skip(text, i)) {
     const std::size_t axis = std::string_view("ABC").find(to_upper(text[i]));
     const Value v = axis < 3 ? values_.read(b, text, i + 1) : Value{};
@@ -55,8 +57,12 @@ void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t
       command.plane.words[axis] = v.number;
       any = true;
       i = v.end;
+    } else if (const std::size_t end = distance_at(b, text, i, command.distance); end != i) {
+      distance = ig::Where::columns(i, end);
+      i = end;
     } else if (to_upper(text[i]) == 'F') {
       i = feed_.scan(b, values_, text, i, command.is_rapid);
+      has_feed = true;
     } else {
       report_not_a_word(b, text, i, "CYCL DEF 19");
       break;
@@ -68,7 +74,21 @@ void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t
     is_tilted = is_tilted || *word != 0;
   }
   command.plane.kind = is_tilted ? PlaneDefinition::spatial : PlaneDefinition::reset;
-  command.move = PlaneCommand::Move::stay;
+  const bool positions = distance && has_feed && cycle_positions_ == CyclePositions::positions;
+  command.move = positions ? PlaneCommand::Move::move : PlaneCommand::Move::stay;
+  if (distance && !positions)
+    b.report(ig::diag("HEI-0140"), *distance, std::string_view("DIST of CYCL DEF 19"),
+             std::string_view(has_feed ? "the program positions the rotary axes"
+                                       : "the cycle positions the rotary axes with F and DIST alone"));
+}
+
+std::size_t PlaneStatement::distance_at(ig::Block& b, std::string_view text, std::size_t position,
+                                        double& distance) const {
+  const std::size_t value = std::max(before_value(text, position, "DIST"), before_value(text, position, "ABST"));
+  const Value v = value != position ? values_.read(b, text, value) : Value{};
+  if (!v.ok) return position;
+  distance = v.number;
+  return v.end;
 }
 
 bool PlaneStatement::read(ig::Block& b, std::string_view text, std::size_t position, PlaneCommand& command) const {
@@ -130,14 +150,13 @@ std::size_t PlaneStatement::word_at(ig::Block& b, std::string_view text, std::si
     command.turns_table = is("TABLE");
     return rot;
   }
-  if (is("DIST") || is("ABST") || is("MB")) {
-    const Value v = values_.read(b, text, letters);
-    const std::size_t behind = skip(text, letters), limit = is("MB") ? keyword(text, behind, "MAX") : behind;
+  if (const std::size_t end = distance_at(b, text, i, command.distance); end != i) return end;
+  if (const std::size_t value = before_value(text, i, "MB"); value != i) {
+    const Value v = values_.read(b, text, value);
+    const std::size_t behind = skip(text, value), limit = keyword(text, behind, "MAX");
     if (!v.ok && limit == behind) return i;
     const std::size_t end = v.ok ? v.end : limit;
-    if (!is("MB"))
-      command.distance = v.number;
-    else if (!v.ok || v.number != 0)
+    if (!v.ok || v.number != 0)
       command.retract = PlaneCommand::Retract{v.ok ? std::optional(v.number) : std::nullopt, i, end};
     return end;
   }

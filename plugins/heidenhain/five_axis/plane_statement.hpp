@@ -20,6 +20,7 @@ struct PlaneCommand {
 
   PlaneDefinition plane{};
   std::size_t begin = 0, end = 0;  ///< of the statement
+  bool is_cycle = false;           ///< CYCL DEF 19
   Move move = Move::none;
   int sequence = 0;     ///< the sign of SEQ or SYM; 0: none
   double distance = 0;  ///< DIST
@@ -28,8 +29,12 @@ struct PlaneCommand {
   bool turns_table = false;  ///< TABLE ROT; else COORD ROT
 
   bool turns_axes() const { return move == Move::turn || move == Move::move; }
+  /// As diagnostics name it.
+  std::string_view shown() const { return is_cycle ? "CYCL DEF 19" : plane.shown(); }
   ig::Where where() const { return ig::Where::columns(begin, end); }
 };
+
+enum class CyclePositions { positions, stays };
 
 /// A member of the syntax that tilts the plane.
 class PlaneStatement {
@@ -42,19 +47,24 @@ class PlaneStatement {
   /// reported.
   bool read(ig::Block& b, std::string_view text, std::size_t position, PlaneCommand& command) const;
   /// Reads the spatial angles of cycle 19; those that are not named keep the values of `in_force`. If all are 0, or
-  /// none is given, there is no plane.
+  /// none is given, there is no plane. F and DIST position the axes as MOVE does, unless the option says otherwise.
   void read_cycle(ig::Block& b, std::string_view text, std::size_t position, const std::optional<ig::Vec3>& in_force,
                   PlaneCommand& command) const;
 
   const Values& values() const { return values_; }
 
  private:
+  /// The position after DIST50 or ABST50, `position` itself where it is not there.
+  std::size_t distance_at(ig::Block& b, std::string_view text, std::size_t position, double& distance) const;
   std::size_t word_at(ig::Block& b, std::string_view text, std::size_t position, PlaneCommand& command) const;
   std::size_t angle_or_point(ig::Block& b, std::string_view text, std::size_t position, PlaneDefinition& plane) const;
 
   Values values_;
   FeedWords feed_;
   MFunctions m_;
+  ig::Choice<CyclePositions> cycle_positions_{"cycle-19", "positions|stays", "positions",
+                                              "CYCL DEF 19 with F and DIST positions the rotary axes, or the program "
+                                              "does: the builder of the machine decides."};
 };
 
 }  // namespace heidenhain

@@ -126,6 +126,14 @@ constexpr std::size_t glued(std::string_view text, std::size_t position, std::st
   return end;
 }
 
+/// The same for a name before a value, which may be a Q parameter: LEN10, LEN +10, LENQ5. `position` also where the
+/// letters go on otherwise: LENGTH.
+constexpr std::size_t before_value(std::string_view text, std::size_t position, std::string_view upper) {
+  const std::size_t end = glued(text, position, upper);
+  const char next = to_upper(at(text, end));
+  return is_letter(next) && next != 'Q' ? position : end;
+}
+
 /// The position after the letters at `position`.
 constexpr std::size_t letters_end(std::string_view text, std::size_t position) {
   return skip_while(text, position, is_letter);

@@ -22,12 +22,23 @@ std::size_t ApproachWords::scan(ig::Block& b, const Values& values, std::string_
       found.shape = static_cast<ContourApproach::Shape>(k % 4);
       return end;
     }
-  const bool is_radius = is("R") && at(text, end) != '0';
-  if (!is("LEN") && !is("CCA") && !is_radius) return position;
-  const Value v = values.read(b, text, end);
-  if (!v.ok) b.report(ig::diag("HEI-0104"), ig::Where::columns(position, end), name_of(function), letters);
-  if (v.ok) (is("LEN") ? found.length : is("CCA") ? found.angle : found.radius) = v.number;
-  return v.ok ? v.end : end;
+  struct Measure {
+    std::string_view name;
+    std::optional<double>& value;
+  };
+  for (const Measure& measure :
+       {Measure{"LEN", found.length}, Measure{"CCA", found.angle}, Measure{"R", found.radius}}) {
+    const std::size_t number = before_value(text, position, measure.name);
+    const bool is_side = measure.name == "R" && at(text, number) == '0';
+    if (number == position || is_side) continue;
+    const Value v = values.read(b, text, number);
+    if (v.ok)
+      measure.value = v.number;
+    else
+      b.report(ig::diag("HEI-0104"), ig::Where::columns(position, number), name_of(function), measure.name);
+    return v.ok ? v.end : number;
+  }
+  return position;
 }
 
 void ApproachWords::set(ig::Block& b, const ContourSide& side, PathFunction function, const ApproachShape& found,

@@ -101,7 +101,7 @@ std::size_t MFunctions::put(ig::Block& b, const Values& values, std::string_view
 }
 
 std::size_t MFunctions::retract(ig::Block& b, const Values& values, std::string_view text, const Function& m) const {
-  const std::size_t first = skip(text, m.end), by = keyword(text, first, "MB"), value = skip(text, by);
+  const std::size_t first = skip(text, m.end), by = before_value(text, first, "MB"), value = skip(text, by);
   const std::size_t limit = by == first ? first : keyword(text, value, "MAX");
   std::size_t behind = limit;
   if (by != first && limit != value) {

@@ -14,6 +14,15 @@ bool is_axis_word(std::string_view letters) {
   return letters.size() == 1 && std::string_view("XYZABCUVW").find(to_upper(letters[0])) != std::string_view::npos;
 }
 
+/// X of XQ3, XQL3, XQR3, of which these are the letters.
+std::string_view without_parameter(std::string_view letters) {
+  for (const std::string_view parameter : {"Q", "QL", "QR"})
+    if (letters.size() > parameter.size() &&
+        equals_ignoring_case(letters.substr(letters.size() - parameter.size()), parameter))
+      return letters.substr(0, letters.size() - parameter.size());
+  return letters;
+}
+
 }  // namespace
 
 std::optional<FoundPathFunction> any_path_function_at(std::string_view text, std::size_t position) {
@@ -27,19 +36,18 @@ std::optional<FoundPathFunction> any_path_function_at(std::string_view text, std
     if (equals_ignoring_case(letters, path_function_names[i]) && (function != C || !is_word))
       return FoundPathFunction{function, end};
   }
-  // L, C and CC with their first word attached: LX+10, CCX+5, LIX+5
+  const std::string_view words = without_parameter(letters);
+  // L, C and CC with their first word attached: LX+10, CCX+5, LIX+5, LXQ3
   for (const PathFunction f : {LP, LN, CC, CR, CT, CP, L, C}) {
     const std::size_t size = name_of(f).size();
-    if (letters.size() <= size || letters.size() > size + 3 || !is_word) continue;
-    if (equals_ignoring_case(letters.substr(0, size), name_of(f)) && is_axis_word(letters.substr(size)))
+    if (words.size() <= size || words.size() > size + 3 || !is_word) continue;
+    if (equals_ignoring_case(words.substr(0, size), name_of(f)) && is_axis_word(words.substr(size)))
       return FoundPathFunction{f, position + size};
   }
   if (letters.size() == 1 && to_upper(letters[0]) == 'M' && is_digit(at(text, skip_blanks(text, end))))
     return FoundPathFunction{L, position};
-  const bool has_value = is_word || to_upper(next) == 'Q' || (letters.size() > 1 && to_upper(letters.back()) == 'Q');
-  const std::string_view axis =
-      letters.size() > 1 && to_upper(letters.back()) == 'Q' ? letters.substr(0, letters.size() - 1) : letters;
-  if (has_value && is_axis_word(axis)) return FoundPathFunction{L, position};
+  const bool has_value = is_word || to_upper(next) == 'Q' || words.size() < letters.size();
+  if (has_value && is_axis_word(words)) return FoundPathFunction{L, position};
   return std::nullopt;
 }
 
