@@ -73,7 +73,9 @@ const ig::Diagnostics shared_diagnostics{
     ig::diagnostic(IG_ERROR, "HEI-0139", "{0} is not executed: {1}", "The M function is recognised by its number only.",
                    "5 L X+10 M130"),
     ig::diagnostic(IG_WARNING, "HEI-0140", "{0} is not executed: {1}",
-                   "The M function changes how the control moves, but not where it moves to.", "5 M126"),
+                   "The M function or the word changes how the control moves, but not where it moves to, or an option "
+                   "leaves it out.",
+                   "5 M126"),
     ig::diagnostic(IG_ERROR, "HEI-0161", "cycle {0} is not executed: {1}",
                    "The cycle acts where it is defined, or it is not a cycle of the control itself. The whole "
                    "definition is recognised.",

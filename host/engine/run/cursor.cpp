@@ -108,8 +108,8 @@ bool Cursor::goes_on(std::string_view line) const {
 /// looked for in the whole window.
 inline bool Cursor::is_unmarked(std::size_t size) {
   if (offset_ + size <= unmarked_) return true;
-  const std::string_view window(buffer_.data() + begin_, end_ - begin_);
-  unmarked_ = offset_ + std::min(window.find(segmenter_->continuation.back()), window.size());
+  const std::string_view rest(buffer_.data() + begin_, end_ - begin_);
+  unmarked_ = offset_ + std::min(rest.find(segmenter_->continuation.back()), rest.size());
   return offset_ + size <= unmarked_;
 }
 
