@@ -379,9 +379,22 @@ class Validate(Case):
         done = self.run_it(faulty("sound"), "--only", "empty-block", "--time-limit", 2**32 - 1)
         self.assertEqual(done.returncode, 0, done.stdout)
 
+    def test_checks_at_once_find_what_they_find_one_by_one(self):
+        for name in ("sound", "empty", "many_exports"):
+            def found(jobs):
+                status, checks = self.checks(faulty(name), "--blocks", 200, "--jobs", jobs)
+                return status, [{k: v for k, v in check.items() if k != "Seconds"} for check in checks]
+            with self.subTest(plugin=name):
+                self.assertEqual(found(5), found(1))
+
     def test_a_check_ends_with_the_command(self):
+        for checks in (["empty-block"], ["empty-block", "absent-fields"]):  # one, and two at once
+            with self.subTest(checks=checks):
+                self.check_ends_with_the_command([word for check in checks for word in ("--only", check)])
+
+    def check_ends_with_the_command(self, arguments):
         """The check has the command's input open, so the pipe breaks when nobody is left."""
-        with subprocess.Popen([OPTIONS.isogloss, "validate", faulty("leaves_group"), "--only", "empty-block"],
+        with subprocess.Popen([OPTIONS.isogloss, "validate", faulty("leaves_group"), "-j", "2", *arguments],
                               stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, bufsize=0) as command:
             time.sleep(2)
             self.assertIsNone(command.poll())

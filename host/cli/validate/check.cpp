@@ -23,7 +23,7 @@ std::span<const Check> all_checks() {
       Check{"unloads", should, "the library leaves the memory when it is closed",
             "Build with -fno-gnu-unique and without -z nodelete; end threads and unregister handlers.", check_unloads},
       Check{"load-time", should, "loading takes at most 50 ms",
-            "Move work from initializers and from the entry into create().", check_load_time},
+            "Move work from initializers and from the entry into create().", check_load_time, true},
       Check{"documented", should, "syntaxes have a page with a case; fields, options and diagnostics are explained",
             "Write the page, the case or the sentence that the finding names.", check_documented},
       Check{"prefix", should, "no other installed plugin has codes with the plugin's prefix",
@@ -120,11 +120,11 @@ std::span<const Check> all_checks() {
             "Report a diagnostic in place of a print; read files in create(); use no lock, clock or random number.",
             check_input_output},
       Check{"waits", must, "a build does not wait: no sleep, no lock, no file",
-            "Read files in create(), and let build() work with what *self holds.", check_waits},
+            "Read files in create(), and let build() work with what *self holds.", check_waits, true},
       Check{"time", should,
             "one block costs no more than the budget, 1 us for each random field and record, and 3 us for each "
             "diagnostic",
-            "Prepare in create() what does not depend on the block; --budget sets the limit.", check_time}};
+            "Prepare in create() what does not depend on the block; --budget sets the limit.", check_time, true}};
   return checks;
 }
 

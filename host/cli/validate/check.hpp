@@ -70,6 +70,7 @@ struct Check {
   std::string_view summary;
   std::string_view help;  ///< what to do when it fails
   void (*run)(Examination&);
+  bool is_alone = false;  ///< it measures times, which other checks beside it would make longer
 };
 
 /// In the order in which they run. When the first one fails, the others cannot run.

@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "session.hpp"
 #include "validate/report.hpp"
+#include "validate/side_by_side.hpp"
 
 namespace isogloss::cli {
 
@@ -30,6 +33,7 @@ struct ValidateCommand {
   std::vector<std::string> files, only;
   std::string format = "text";
   bool lists = false, is_strict = false, in_process = false;
+  unsigned jobs = 0;
 
   int run() const;
 
@@ -37,6 +41,7 @@ struct ValidateCommand {
   int list(const std::vector<const Check*>& checks) const;
   std::string report(const std::vector<PluginOutcome>& plugins) const;
   std::vector<const Check*> chosen(Session& session) const;
+  std::vector<Outcome> perform(const std::string& file, std::span<const Check* const> checks, Steps& steps) const;
   PluginOutcome validate(const std::string& file, const std::vector<const Check*>& checks, Steps& steps) const;
   int status(const std::vector<PluginOutcome>& plugins) const;
 };
@@ -70,26 +75,45 @@ std::vector<const Check*> ValidateCommand::chosen(Session& session) const {
   return out;
 }
 
+std::vector<Outcome> ValidateCommand::perform(const std::string& file, std::span<const Check* const> checks,
+                                              Steps& steps) const {
+  const std::string name = std::filesystem::path(file).filename().string();
+  const SideBySideListener listener{
+      [&](const Check& check, std::string_view at_work) { steps.show(name, check, at_work); }, [&] { ++steps.done; }};
+  const unsigned most = jobs == 0 ? std::max(1u, std::thread::hardware_concurrency()) : jobs;
+  if (!in_process && most > 1 && checks.size() > 1) return run_side_by_side(checks, most, options, file, listener);
+  std::vector<Outcome> out;
+  for (const Check* const check : checks) {
+    const auto watcher = [&](std::string_view at_work) { listener.at_work(*check, at_work); };
+    watcher("");
+    out.push_back(in_process ? run_here(*check, options, file) : run_in_child(*check, options, file, watcher));
+    listener.ended();
+  }
+  return out;
+}
+
 PluginOutcome ValidateCommand::validate(const std::string& file, const std::vector<const Check*>& checks,
                                         Steps& steps) const {
-  const std::string name = std::filesystem::path(file).filename().string();
-  const auto perform = [&](const Check& check) {
-    const auto watcher = [&](std::string_view at_work) { steps.show(name, check, at_work); };
-    watcher("");
-    return in_process ? run_here(check, options, file) : run_in_child(check, options, file, watcher);
-  };
   PluginOutcome out{file, {}};
   // A plugin that does not load, or whose descriptor is refused, has nothing that the other checks could look at.
   std::string refused;
+  std::vector<const Check*> others;
   for (const Check& check : all_checks()) {
     const bool is_first = check.name == "loads" || check.name == "descriptor";
     const bool is_chosen = std::find(checks.begin(), checks.end(), &check) != checks.end();
-    if (!is_chosen && !is_first) continue;
-    Outcome one = refused.empty() ? perform(check) : Outcome{.check = &check, .skipped = refused};
-    if (is_first && refused.empty() && !one.held()) refused = fmt::format("the check '{}' failed", check.name);
-    if (is_chosen || !one.held()) out.checks.push_back(std::move(one));
-    steps.done += is_chosen ? 1 : 0;
+    if (!is_first && is_chosen && refused.empty()) {
+      others.push_back(&check);
+    } else if (is_first && refused.empty()) {
+      Steps unseen = steps;
+      Outcome one = perform(file, std::array{&check}, is_chosen ? steps : unseen).front();
+      if (!one.held()) refused = fmt::format("the check '{}' failed", check.name);
+      if (is_chosen || !one.held()) out.checks.push_back(std::move(one));
+    } else if (is_chosen) {
+      out.checks.push_back({.check = &check, .skipped = refused});
+      ++steps.done;
+    }
   }
+  for (Outcome& one : perform(file, others, steps)) out.checks.push_back(std::move(one));
   return out;
 }
 
@@ -180,6 +204,10 @@ int validate_command(const Arguments& arguments) {
   line.option("--random-limit", options.random_limit, "End the random blocks of a plugin after this time")
       .type_name("S")
       .at_least(1)
+      .shows_default();
+  line.option("-j,--jobs", command.jobs,
+              "Checks at once (0: as many as there are processors); those of times are alone")
+      .type_name("N")
       .shows_default();
   line.option("--budget", options.budget, "Budget of one build").type_name("NS").shows_default();
   line.option("--time-limit", options.time_limit, "End a check after this time")

@@ -59,6 +59,7 @@ Chain::Chain(const LinkedDialect& linked, ChainSettings settings, DiagnosticSink
     create_syntaxes();
     creating_ = 0;
     before_inspection_ = reach(0, linked_.inspection_begin);
+    from_inspection_ = reach(linked_.inspection_begin, static_cast<std::uint32_t>(steps_.size()));
     watch_modal_state();
   } catch (...) {
     destroy();
@@ -304,7 +305,9 @@ void Chain::run_range(Document& d, std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t next = first; next < last;) try {
       const Reach* way = &before_inspection_;
       Reach there;
-      if (next != 0 || last != linked_.inspection_begin) {
+      if (next == linked_.inspection_begin && last == steps_.size()) {
+        way = &from_inspection_;
+      } else if (next != 0 || last != linked_.inspection_begin) {
         there = reach(next, last);
         way = &there;
       }

@@ -279,10 +279,11 @@ class Chain {
   std::vector<std::unique_ptr<DependencyTable>> tables_;  // by linked dependency, as the two below
   std::vector<std::vector<OptionValue>> dependency_options_;
   std::vector<void*> dependencies_;
-  std::vector<std::string_view> files_;       // of the blocks so far; traced mode only
-  std::vector<std::uint16_t> scanners_[256];  // chain positions that a byte triggers
-  Reach before_inspection_{}, inspection_{};  // all before inspection_begin; those that build from there on
-  Reach inspectors_{};                        // of these, what runs when something is left over
+  std::vector<std::string_view> files_;            // of the blocks so far; traced mode only
+  std::vector<std::uint16_t> scanners_[256];       // chain positions that a byte triggers
+  Reach before_inspection_{}, from_inspection_{};  // on both sides of inspection_begin
+  Reach inspection_{};                             // from there on, those that build
+  Reach inspectors_{};                             // of these, what runs when something is left over
   const bool is_plain_;
   struct AssignedRow {
     std::size_t dependency;
