@@ -108,9 +108,9 @@ PluginOutcome ValidateCommand::validate(const std::string& file, const std::vect
       Outcome one = perform(file, std::array{&check}, is_chosen ? steps : unseen).front();
       if (!one.held()) refused = fmt::format("the check '{}' failed", check.name);
       if (is_chosen || !one.held()) out.checks.push_back(std::move(one));
-    } else if (is_chosen) {
+    } else if (is_chosen || is_first) {
       out.checks.push_back({.check = &check, .skipped = refused});
-      ++steps.done;
+      steps.done += is_chosen ? 1 : 0;
     }
   }
   for (Outcome& one : perform(file, others, steps)) out.checks.push_back(std::move(one));
