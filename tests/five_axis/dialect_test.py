@@ -398,15 +398,14 @@ class Klartext(Program):
                 upright = angles or self.choose(axes[2], sign)
                 return kind, words, axes, upright, {0: "", 1: " SEQ+", -1: " SEQ-"}[sign]
             kind, words, axes, upright, sequence = self.drawn(draw)
-            way = self.rng.choice(["STAY", "TURN", "MOVE", "MOVE DIST"] if kind else ["STAY", "MOVE DIST"])
+            way = self.rng.choice(["STAY", "TURN", "MOVE", "MOVE DIST"]) if kind else "STAY"
             lever = self.number(-200, 200) if way == "MOVE DIST" else 0.0
             positioned = way.split()[0] + (f" DIST{lever:+.3f}" if lever else "")
             if kind:
                 line = self.write(f"PLANE {kind} {words} {positioned}" + ("" if way == "STAY" else " F2000") + sequence)
             else:
                 self.write("CYCL DEF 19.0 WORKING PLANE")
-                clearance = self.rng.choice(["DIST", "ABST"]) + f"{lever:+.3f}"
-                line = self.write("CYCL DEF 19.1 " + words + ("" if way == "STAY" else " F2000 " + clearance))
+                line = self.write("CYCL DEF 19.1 " + words)
             if upright is None:
                 self.fail(line, "HEI-0176")
             self.frames = [([0.0] * 3, *axes)]

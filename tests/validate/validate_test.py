@@ -9,6 +9,7 @@ import json
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -386,6 +387,30 @@ class Validate(Case):
                 return status, [{k: v for k, v in check.items() if k != "Seconds"} for check in checks]
             with self.subTest(plugin=name):
                 self.assertEqual(found(5), found(1))
+
+    def test_checks_run_at_once_and_those_of_times_alone(self):
+        """The checks of this plugin wait, and each has a process that watches over it."""
+        for checks, watchers in ((["empty-block", "absent-fields", "extreme-values"], 2), (["waits", "time"], 1)):
+            only = [word for check in checks for word in ("--only", check)]
+            with self.subTest(checks=checks), \
+                 subprocess.Popen([OPTIONS.isogloss, "validate", faulty("leaves_group"), "-j", "2", *only],
+                                  stdout=subprocess.DEVNULL) as command:
+                children = pathlib.Path(f"/proc/{command.pid}/task/{command.pid}/children")
+                time.sleep(2)
+                found = children.read_text().split()
+                command.kill()
+                self.assertEqual(len(found), watchers)
+
+    def test_a_check_whose_watcher_is_killed_is_told(self):
+        with subprocess.Popen([OPTIONS.isogloss, "validate", faulty("leaves_group"), "-j", "2", "--only", "empty-block",
+                               "--only", "absent-fields", "--json"], stdout=subprocess.PIPE, text=True) as command:
+            children = pathlib.Path(f"/proc/{command.pid}/task/{command.pid}/children")
+            time.sleep(2)
+            for watcher in children.read_text().split():
+                os.kill(int(watcher), signal.SIGKILL)
+            checks = json.loads(command.communicate(timeout=20)[0])["Plugins"][0]["Checks"]
+        self.assertEqual([f["What"] for c in checks for f in c["Findings"]],
+                         ["the process that watched over the check has ended"] * 2)
 
     def test_a_check_ends_with_the_command(self):
         for checks in (["empty-block"], ["empty-block", "absent-fields"]):  # one, and two at once

@@ -138,10 +138,7 @@ void Examination::find(std::string where, std::string what) {
 }
 
 void Examination::attempt(std::string_view what) {
-  if (room_ == 0) return;
-  const std::size_t size = std::min(what.size(), room_ - 1);
-  std::memcpy(attempt_, what.data(), size);
-  attempt_[size] = '\0';
+  if (attempt_ != nullptr) attempt_->write(what);
 }
 
 }  // namespace isogloss::cli

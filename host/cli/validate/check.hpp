@@ -11,6 +11,7 @@
 
 #include "isogloss/engine/cases.hpp"
 #include "session.hpp"
+#include "validate/shared_text.hpp"
 
 namespace isogloss::cli {
 
@@ -40,9 +41,9 @@ class Examination {
     std::function<void(const std::string&)> remark;
     std::function<void(const std::string&)> skip;
   };
-  Examination(const ValidateOptions& wanted, std::string plugin_file, char* attempt, std::size_t room,
-              Listener listener)
-      : options(wanted), file(std::move(plugin_file)), listener_(std::move(listener)), attempt_(attempt), room_(room) {}
+  /// `attempt` is borrowed; null: nobody reads it.
+  Examination(const ValidateOptions& wanted, std::string plugin_file, SharedText* attempt, Listener listener)
+      : options(wanted), file(std::move(plugin_file)), listener_(std::move(listener)), attempt_(attempt) {}
 
   const ValidateOptions& options;
   const std::string file;  ///< of the plugin
@@ -60,8 +61,7 @@ class Examination {
  private:
   Listener listener_;
   std::size_t findings_ = 0;
-  char* attempt_;
-  std::size_t room_;
+  SharedText* attempt_;
 };
 
 struct Check {

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -27,18 +26,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t attempt_room = 16 << 10;
 constexpr std::string_view end_mark = "end\n";
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
-void write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t n = write(descriptor, text.data(), text.size());
-    if (n <= 0) return;
-    text.remove_prefix(static_cast<std::size_t>(n));
-  }
-}
 
 void perform(const Check& check, Examination& e) {
   try {
@@ -59,8 +49,8 @@ void limit(const ValidateOptions& options) {
   watch_calls(options.call_limit);
 }
 
-[[noreturn]] void be_child(const Check& check, const ValidateOptions& options, const std::string& file, char* attempt,
-                           int results, int talk) {
+[[noreturn]] void be_child(const Check& check, const ValidateOptions& options, const std::string& file,
+                           SharedText& attempt, int results, int talk) {
   dup2(talk, STDERR_FILENO);
   dup2(talk, STDOUT_FILENO);
   limit(options);
@@ -68,7 +58,7 @@ void limit(const ValidateOptions& options) {
   const auto write = [&](const Json& line) {
     write_all(results, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   };
-  Examination e(options, file, attempt, attempt_room,
+  Examination e(options, file, &attempt,
                 {.find =
                      [&](const Finding& found) {
                        // The rest is only counted.
@@ -82,11 +72,6 @@ void limit(const ValidateOptions& options) {
   perform(check, e);
   write_all(results, end_mark);
   end_process(success);
-}
-
-bool child_has_ended(pid_t child) {
-  siginfo_t info{};
-  return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
 
 /// A process that stopped itself goes on for nobody: a child is not of the terminal's group.
@@ -244,15 +229,26 @@ void read_results(const std::string& text, Outcome& out) {
 
 }  // namespace
 
+void write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = write(descriptor, text.data(), text.size());
+    if (n <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+bool child_has_ended(pid_t child) {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
+}
+
 Outcome run_in_child(const Check& check, const ValidateOptions& options, const std::string& file,
                      const Watcher& watcher) {
   Outcome out{.check = &check};
   const Clock::time_point begin = Clock::now();
   int results[2], talk[2];
   if (pipe2(results, O_CLOEXEC) != 0 || pipe2(talk, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for a check");
-  void* const shared = mmap(nullptr, attempt_room, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared == MAP_FAILED) throw std::runtime_error("no memory for a check");
-  char* const attempt = static_cast<char*>(shared);
+  SharedText attempt;
   const pid_t parent = getpid(), child = fork();
   if (child < 0) throw std::runtime_error("no process for a check");
   if (child == 0) {
@@ -265,8 +261,7 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   close(results[1]);
   close(talk[1]);
   std::string texts[2];
-  const auto at_work = [attempt] { return std::string(attempt, strnlen(attempt, attempt_room)); };
-  const Ending how = listen(child, {results[0], talk[0]}, texts, options.time_limit, [&] { watcher(at_work()); });
+  const Ending how = listen(child, {results[0], talk[0]}, texts, options.time_limit, [&] { watcher(attempt.read()); });
   const bool has_told_all = texts[0].ends_with(end_mark);
   const bool is_complete = how == Ending::complete;
   const bool is_ours_to_end = is_complete && !has_told_all && !ends_soon(child);
@@ -277,8 +272,7 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
   close(results[0]);
   close(talk[0]);
   read_results(texts[0], out);
-  const std::string last = at_work();
-  munmap(shared, attempt_room);
+  const std::string last = attempt.read();
   if (how == Ending::starved)
     out.skipped = fmt::format("it did not finish: the machine was busy for more than its {} s", options.time_limit);
   else if (how == Ending::stopped)
@@ -297,7 +291,7 @@ Outcome run_here(const Check& check, const ValidateOptions& options, const std::
   Outcome out{.check = &check};
   const Clock::time_point begin = Clock::now();
   watch_calls(0);  // a debugger may stop a call for longer than any limit
-  Examination e(options, file, nullptr, 0,
+  Examination e(options, file, nullptr,
                 {.find = [&](const Finding& found) { add(out, found); },
                  .remark = [&](const std::string& text) { out.remarks.push_back(text); },
                  .skip = [&](const std::string& why) { out.skipped = why; }});

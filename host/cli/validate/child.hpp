@@ -1,6 +1,8 @@
 /// A check in a process of its own, so that no plugin can take the others, or the command, along.
 #pragma once
 
+#include <sys/types.h>
+
 #include <optional>
 
 #include "validate/check.hpp"
@@ -27,6 +29,11 @@ Outcome run_in_child(const Check& check, const ValidateOptions& options, const s
                      const Watcher& watcher);
 /// In this process: a crash ends the command, where a debugger sees it.
 Outcome run_here(const Check& check, const ValidateOptions& options, const std::string& file);
+
+/// Until all is written, or nobody reads.
+void write_all(int descriptor, std::string_view text);
+/// Has the process ended? It can still be waited for.
+bool child_has_ended(pid_t child);
 
 /// Does `work` survive in a process of its own? Without such a process it is run here.
 bool survives(const Examination& e, const std::function<void()>& work);

@@ -2,15 +2,12 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <list>
 #include <nlohmann/json.hpp>
 
@@ -49,45 +46,12 @@ Outcome from_line(const Check& check, const std::string& line) {
   return out;
 }
 
-void send(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t n = write(descriptor, text.data(), text.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return;
-    text.remove_prefix(static_cast<std::size_t>(n));
-  }
-}
-
-/// What one check is doing, for the progress of the command: the process that watches over it writes there.
-class Board {
- public:
-  Board() {
-    void* const shared = mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (shared == MAP_FAILED) throw std::runtime_error("no memory for a check");
-    text_ = static_cast<char*>(shared);
-  }
-  ~Board() { munmap(text_, room); }
-  Board(const Board&) = delete;
-  Board& operator=(const Board&) = delete;
-
-  void write(std::string_view text) {
-    const std::size_t size = std::min(text.size(), room - 1);
-    std::memcpy(text_, text.data(), size);
-    text_[size] = '\0';
-  }
-  std::string read() const { return {text_, strnlen(text_, room)}; }
-
- private:
-  static constexpr std::size_t room = 4096;
-  char* text_;
-};
-
 struct AtWork {
   std::size_t place = 0;
   pid_t process = 0;
   int pipe = -1;
   std::string text;
-  Board board;
+  SharedText attempt;
 };
 
 class SideBySide {
@@ -127,44 +91,58 @@ class SideBySide {
     if (one.process == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (getppid() != parent) end_process(internal_fault);
-      const auto watcher = [&](std::string_view at_work) { one.board.write(at_work); };
-      send(pipes[1], to_line(run_in_child(*checks_[one.place], options_, file_, watcher)));
+      write_all(pipes[1], to_line(outcome_of(*checks_[one.place], one.attempt)));
       end_process(success);
     }
     close(pipes[1]);
     one.pipe = pipes[0];
   }
 
+  /// In the process that watches over the check, which nothing leaves but the outcome.
+  Outcome outcome_of(const Check& check, SharedText& attempt) const try {
+    return run_in_child(check, options_, file_, [&](std::string_view at_work) { attempt.write(at_work); });
+  } catch (const std::exception& e) {
+    return {.check = &check, .findings = {{"", std::string("the check could not go on: ") + e.what()}}};
+  }
+
   void tell() const {
     const AtWork& oldest = at_work_.front();
-    listener_.at_work(*checks_[oldest.place], oldest.board.read());
+    listener_.at_work(*checks_[oldest.place], oldest.attempt.read());
   }
 
   void hear() {
     constexpr int tick_ms = 50;
     std::vector<pollfd> polled;
     for (const AtWork& one : at_work_) polled.push_back({one.pipe, POLLIN, 0});
-    if (poll(polled.data(), polled.size(), tick_ms) <= 0) return;
+    poll(polled.data(), polled.size(), tick_ms);
     auto looked_at = polled.begin();
     for (auto one = at_work_.begin(); one != at_work_.end();) {
-      const bool has_ended = (looked_at++)->revents != 0 && hear(*one);
-      one = has_ended ? at_work_.erase(one) : std::next(one);
+      // Processes that the plugin has started may hold the pipe open for longer, so that it has no end.
+      const bool has_ended = child_has_ended(one->process);
+      const bool is_told = (looked_at++)->revents != 0 && read_more(*one);
+      if (is_told || has_ended) end(*one);
+      one = is_told || has_ended ? at_work_.erase(one) : std::next(one);
     }
   }
 
-  /// True when the check has ended. A process that the plugin has started may hold the pipe open for longer.
-  bool hear(AtWork& one) {
+  /// True when the outcome is whole, or no more of it comes.
+  static bool read_more(AtWork& one) {
     char buffer[1u << 14];
     const ssize_t n = read(one.pipe, buffer, sizeof buffer);
     if (n < 0 && errno == EINTR) return false;
     if (n > 0) one.text.append(buffer, static_cast<std::size_t>(n));
-    if (n > 0 && !one.text.ends_with('\n')) return false;
+    return n <= 0 || one.text.ends_with('\n');
+  }
+
+  void end(AtWork& one) {
+    fcntl(one.pipe, F_SETFL, O_NONBLOCK);
+    while (!one.text.ends_with('\n') && !read_more(one)) {
+    }
     close(one.pipe);
     while (waitpid(one.process, nullptr, 0) < 0 && errno == EINTR) {
     }
     outcomes_[one.place] = from_line(*checks_[one.place], one.text);
     listener_.ended();
-    return true;
   }
 
   std::span<const Check* const> checks_;

@@ -98,12 +98,7 @@ class Block {
     return (has(fields) || ...);
   }
   bool has_any(const AnyOf& fields) const {
-    const ig_view* const shown = view();
-    if (shown == nullptr || fields.size() > shown->field_count) [[unlikely]]
-      return std::ranges::any_of(fields.ids(), [&](ig_field f) { return has(f); });
-    for (const AnyOf::Bits& bits : fields.bits())
-      if ((shown->bits[bits.word].present & bits.mask) != 0) return true;
-    return false;
+    return any(fields, &ig_view_bits::present, [this](ig_field f) { return has(f); });
   }
   /// Reads at most 32 fields; returns a bit for each that has a value. `out` is left alone for the others.
   std::uint32_t get_many(const ig_field* fields, std::uint32_t count, ig_value* out) const {
@@ -132,12 +127,7 @@ class Block {
     return shows_fresh(shown, f);
   }
   bool is_any_fresh(const AnyOf& fields) const {
-    const ig_view* const shown = view();
-    if (shown == nullptr || fields.size() > shown->field_count) [[unlikely]]
-      return std::ranges::any_of(fields.ids(), [&](ig_field f) { return is_fresh(f); });
-    for (const AnyOf::Bits& bits : fields.bits())
-      if ((shown->bits[bits.word].fresh & bits.mask) != 0) return true;
-    return false;
+    return any(fields, &ig_view_bits::fresh, [this](ig_field f) { return is_fresh(f); });
   }
   template <class F>
   bool is_fresh(const F& field) const {
@@ -393,6 +383,16 @@ class Block {
   }
   /// Null where this host does not show where the values are stored; then its functions are called.
   const ig_view* view() const { return shown_; }
+  /// `ask` about each where the block is not shown, or where one is no field of the block.
+  template <class Ask>
+  [[gnu::always_inline]] bool any(const AnyOf& fields, std::uint64_t ig_view_bits::*which, const Ask& ask) const {
+    const ig_view* const shown = view();
+    if (shown == nullptr || fields.size() > shown->field_count) [[unlikely]]
+      return std::ranges::any_of(fields.ids(), ask);
+    for (const AnyOf::Bits& bits : fields.bits())
+      if ((shown->bits[bits.word].*which & bits.mask) != 0) return true;
+    return false;
+  }
   static bool shows(const ig_view* shown, ig_field f) {
     return f < shown->field_count && (shown->bits[f / 64].present >> (f % 64) & 1) != 0;
   }

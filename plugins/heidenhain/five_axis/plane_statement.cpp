@@ -47,7 +47,7 @@ std::size_t PlaneStatement::behind_cycle_19(std::string_view text, std::size_t p
 
 void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t position,
                                 const std::optional<ig::Vec3>& in_force, PlaneCommand& command) const {
-  bool any = false, is_tilted = false, has_feed = false;
+  bool any = false, is_tilted = false;
   std::optional<ig::Where> distance;
   command.is_cycle = true;
   for (std::size_t i = skip(text, position); i < text.size(); i = skip(text, i)) {
@@ -62,7 +62,6 @@ void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t
       i = end;
     } else if (to_upper(text[i]) == 'F') {
       i = feed_.scan(b, values_, text, i, command.is_rapid);
-      has_feed = true;
     } else {
       report_not_a_word(b, text, i, "CYCL DEF 19");
       break;
@@ -74,12 +73,14 @@ void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t
     is_tilted = is_tilted || *word != 0;
   }
   command.plane.kind = is_tilted ? PlaneDefinition::spatial : PlaneDefinition::reset;
+  const bool has_feed = command.is_rapid || feed_.word(b);
   const bool positions = distance && has_feed && cycle_positions_ == CyclePositions::positions;
   command.move = positions ? PlaneCommand::Move::move : PlaneCommand::Move::stay;
   if (distance && !positions)
     b.report(ig::diag("HEI-0140"), *distance, std::string_view("DIST of CYCL DEF 19"),
-             std::string_view(has_feed ? "the program positions the rotary axes"
-                                       : "the cycle positions the rotary axes with F and DIST alone"));
+             std::string_view(cycle_positions_ == CyclePositions::stays
+                                  ? "the program positions the rotary axes, unless the option cycle-19 says otherwise"
+                                  : "the cycle positions the rotary axes where F stands beside it"));
 }
 
 std::size_t PlaneStatement::distance_at(ig::Block& b, std::string_view text, std::size_t position,

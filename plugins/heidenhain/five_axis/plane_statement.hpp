@@ -34,7 +34,7 @@ struct PlaneCommand {
   ig::Where where() const { return ig::Where::columns(begin, end); }
 };
 
-enum class CyclePositions { positions, stays };
+enum class CyclePositions { stays, positions };
 
 /// A member of the syntax that tilts the plane.
 class PlaneStatement {
@@ -47,7 +47,8 @@ class PlaneStatement {
   /// reported.
   bool read(ig::Block& b, std::string_view text, std::size_t position, PlaneCommand& command) const;
   /// Reads the spatial angles of cycle 19; those that are not named keep the values of `in_force`. If all are 0, or
-  /// none is given, there is no plane. F and DIST position the axes as MOVE does, unless the option says otherwise.
+  /// none is given, there is no plane. F and DIST position the axes as MOVE does where the
+  /// option says so.
   void read_cycle(ig::Block& b, std::string_view text, std::size_t position, const std::optional<ig::Vec3>& in_force,
                   PlaneCommand& command) const;
 
@@ -62,8 +63,8 @@ class PlaneStatement {
   Values values_;
   FeedWords feed_;
   MFunctions m_;
-  ig::Choice<CyclePositions> cycle_positions_{"cycle-19", "positions|stays", "positions",
-                                              "CYCL DEF 19 with F and DIST positions the rotary axes, or the program "
+  ig::Choice<CyclePositions> cycle_positions_{"cycle-19", "stays|positions", "stays",
+                                              "The program positions the rotary axes, or CYCL DEF 19 with F and DIST "
                                               "does: the builder of the machine decides."};
 };
 

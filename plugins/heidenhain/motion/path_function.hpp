@@ -20,6 +20,7 @@ struct FoundPathFunction {
   std::size_t end;
 };
 
+/// What path_function_at() finds where the block does not begin with L and a blank.
 std::optional<FoundPathFunction> any_path_function_at(std::string_view text, std::size_t position);
 
 /// The function of the block whose first word is at `position`, a byte offset; nothing where the block is not a path

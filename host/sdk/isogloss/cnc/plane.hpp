@@ -29,6 +29,7 @@ class PlaneInForce {
     const Symbol term = b.get_or(term_, Symbol{});
     return term == g18_ ? zx_plane : term == g19_ ? yz_plane : xy_plane;
   }
+  /// The third of them alone.
   std::size_t tool_axis(const Block& b) const {
     const Symbol term = b.get_or(term_, Symbol{});
     return term == g18_ ? zx_plane.tool : term == g19_ ? yz_plane.tool : xy_plane.tool;
