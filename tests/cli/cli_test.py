@@ -393,9 +393,19 @@ class OddFiles(Command):
         for number in range(200):
             self.write(f"other{number}.nc", f"O{5000 + number}\n" + "G1 X1. Y1.\n" * 2_000 + "M99\n")
         calls = "".join(f"M98 P{number}\n" for number in range(6000, 7500))
-        main = self.write("main.nc", f"O1\nG21 G90\n{calls}M30\n")
-        done = self.run_it("run", main, "-d", "fanuc", "--emit", "none", status=1, timeout=60)
-        self.assertIn("[ISO-0485]", done.stderr)
+        # The last two are there, however many others were looked for before them.
+        main = self.write("main.nc", f"O1\nG21 G90\n{calls}M98 P5150\nM98 P5151\nM30\n")
+        done = self.run_it("run", main, "-d", "fanuc", "--emit", "none", "--repeats", "0", status=1, timeout=60)
+        self.assertEqual(done.stderr.count("[ISO-0485]"), 1500)
+        self.assertRegex(done.stderr, r"O5150 is called from \S*other150.nc.*\[IG-0451\]")
+        self.assertRegex(done.stderr, r"O5151 is called from \S*other151.nc.*\[IG-0451\]")
+
+    def test_a_program_in_a_file_of_another_name_is_found_from_each_caller(self):
+        self.write("other.nc", "O1002\nX20.\nM99\n")
+        self.write("O1003.nc", "O1003\nM98 P1002\nM99\n")
+        main = self.write("main.nc", "O1\nG21 G90 G0 X0\nM98 P1002\nX1.\nM98 P1003\nM30\n")
+        done = self.run_it("run", main, "-d", "fanuc", "--format", "csv")
+        self.assertEqual([line.split(",")[3] for line in done.stdout.splitlines()[1:4]], ["20", "1", "20"])
 
     def test_two_files_that_hold_a_program_are_named(self):
         for name in ("a.nc", "b.nc"):

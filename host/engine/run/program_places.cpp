@@ -257,32 +257,36 @@ std::vector<std::string> ProgramPlaces::hidden(const SearchedNames& names) {
   return out;
 }
 
-bool ProgramPlaces::find_inside(const Take& take) {
-  constexpr std::size_t most_files = 256;
-  for (Folder* const searched_one : searched(SearchedNames({}))) {
-    Folder& folder = *searched_one;
-    if (folder.is_library) continue;
-    if (!folder.is_listed) list(folder);
+const std::vector<ProgramPlaces::Found>& ProgramPlaces::inside() {
+  if (!inside_) inside_ = list_inside();
+  return *inside_;
+}
+
+std::vector<ProgramPlaces::Found> ProgramPlaces::list_inside() {
+  constexpr std::size_t most_files_of_folder = 256, most_files = 4096;
+  std::uintmax_t bytes_left = std::uintmax_t{64} << 20;
+  std::vector<Found> out;
+  for (Folder* const folder : searched(SearchedNames({}))) {
+    if (folder->is_library) continue;
+    if (!folder->is_listed) list(*folder);
     std::set<std::string> names;
-    for (const auto& [stem, files] : folder.files)
+    for (const auto& [stem, files] : folder->files)
       for (const std::string& name : files)
         if (const std::string e = in_small_letters(fs::path(name).extension().string());
             std::find(extensions_.begin(), extensions_.end(), e) != extensions_.end())
           names.insert(name);
-    if (names.size() > most_files) continue;
+    if (names.size() > most_files_of_folder) continue;
     for (const std::string& name : names) {
       std::error_code code;
-      const fs::path resolved = fs::canonical(folder.resolved / name, code);
-      if (code || resolved.parent_path() != folder.resolved || !fs::is_regular_file(resolved, code)) continue;
+      const fs::path resolved = fs::canonical(folder->resolved / name, code);
+      if (code || resolved.parent_path() != folder->resolved || !fs::is_regular_file(resolved, code)) continue;
       const std::uintmax_t size = fs::file_size(resolved, code);
-      if (code || size > inside_bytes_left_ || inside_files_left_ == 0) continue;
-      inside_bytes_left_ -= size;
-      --inside_files_left_;
-      const std::string shown = folder.shown == "." ? name : (fs::path(folder.shown) / name).string();
-      if (take({resolved, shown, true})) return true;
+      if (code || size > bytes_left || out.size() == most_files) continue;
+      bytes_left -= size;
+      out.push_back({resolved, folder->shown == "." ? name : (fs::path(folder->shown) / name).string(), true});
     }
   }
-  return false;
+  return out;
 }
 
 std::string ProgramPlaces::describe() const {

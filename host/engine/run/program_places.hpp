@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,9 +50,9 @@ class ProgramPlaces {
   std::vector<std::string> hidden(const SearchedNames& names);
   /// The place of a folder in the search order, from 1; 0 where the order does not have it.
   int rank_of(std::string_view folder, const SearchedNames& names) const;
-  /// Every file of the folders that may hold programs, whatever its name; of a folder of more than 256 none. All calls
-  /// together read 64 MiB of 4096 files at most: a program may ask for any number of others.
-  bool find_inside(const Take& take);
+  /// Every file of the folders that may hold programs, whatever its name; of a folder of more than 256 none, and of all
+  /// together 4096 files and 64 MiB at most. Listed once.
+  const std::vector<Found>& inside();
   std::string describe() const;  ///< "folder a, file b"
 
  private:
@@ -71,9 +72,9 @@ class ProgramPlaces {
   /// The folders in the order in which a call searches them.
   std::vector<Folder*> searched(const SearchedNames& names);
   bool find_in(Folder& folder, const std::vector<std::string>& stems, const Take& take, std::string& reason);
+  std::vector<Found> list_inside();
 
-  std::uintmax_t inside_bytes_left_ = std::uintmax_t{64} << 20;
-  std::size_t inside_files_left_ = 4096;
+  std::optional<std::vector<Found>> inside_;
   std::deque<Folder> folders_;
   std::vector<Folder*> given_, roots_;  // roots_: where folders of the search order stand, or may stand
   const std::vector<SearchFolder>& order_;

@@ -141,7 +141,7 @@ bool ProgramSearch::find_in_folders(const ig_go& request, const Caller& caller, 
       out = {&file, *at, false};
       return true;
     }
-  return searched_.emplace(label).second && find_in_neighbours(label, caller, out, reason);
+  return find_in_neighbours(label, caller, out, reason);
 }
 
 void ProgramSearch::report_hidden(const ig_go& request, const Caller& caller, const SearchedNames& names,
@@ -156,24 +156,42 @@ void ProgramSearch::report_hidden(const ig_go& request, const Caller& caller, co
 
 /// A file of another name may hold the program. Where several do, it is not known which one the control has.
 bool ProgramSearch::find_in_neighbours(std::string_view label, const Caller& caller, Target& out, std::string& reason) {
-  std::optional<Target> only;
-  const bool are_several = places().find_inside([&](const ProgramPlaces::Found& found) {
-    const std::size_t known = files_.size();
-    ProgramFile* const file = open(found, reason);
-    const auto at = file == nullptr ? std::nullopt : labels(*file, caller.here.line).program(label);
-    if (at && !only) {
-      only = Target{file, *at, false};
+  if (not_in_neighbours_.contains(label)) return false;
+  const Neighbour* only = nullptr;
+  for (const Neighbour& one : neighbours(caller.here.line)) {
+    if (!one.obstacle.empty()) reason = one.obstacle;
+    if (!one.labels || !one.labels->program(label)) continue;
+    if (only != nullptr) {
+      reason = "it is in " + only->found.name + " and in " + one.found.name + ": name one file with --subprograms";
       return false;
     }
-    if (at) reason = "it is in " + only->file->name + " and in " + file->name + ": name one file with --subprograms";
-    if (files_.size() > known) files_.pop_back();
-    return at.has_value();
-  });
-  if (are_several || !only) return false;
+    only = &one;
+  }
+  if (only == nullptr) {
+    not_in_neighbours_.emplace(label);
+    return false;
+  }
+  ProgramFile* const file = open(only->found, reason);
+  const auto at = file == nullptr ? std::nullopt : labels(*file, caller.here.line).program(label);
+  if (!at) return false;
   sink_.add(host_diagnostic("IG-0451", {caller.from.name, caller.here.line, caller.here.column + 1},
-                            {std::string(label), only->file->name}));
-  out = *only;
+                            {std::string(label), file->name}));
+  out = {file, *at, false};
   return true;
+}
+
+const std::vector<ProgramSearch::Neighbour>& ProgramSearch::neighbours(std::uint32_t line) {
+  if (neighbours_) return *neighbours_;
+  neighbours_.emplace();
+  for (const ProgramPlaces::Found& found : places().inside()) {
+    Neighbour& one = neighbours_->emplace_back(Neighbour{found, std::nullopt, {}});
+    const std::size_t known = files_.size();
+    ProgramFile* const file = open(found, one.obstacle);
+    if (file == nullptr) continue;
+    one.labels = labels(*file, line);
+    if (files_.size() > known) files_.pop_back();
+  }
+  return *neighbours_;
 }
 
 ProgramFile* ProgramSearch::open(const ProgramPlaces::Found& found, std::string& reason) {

@@ -55,6 +55,13 @@ class ProgramSearch {
                        std::string& reason);
   void report_hidden(const ig_go& request, const Caller& caller, const SearchedNames& names, const Target& found);
   bool find_in_neighbours(std::string_view label, const Caller& caller, Target& out, std::string& reason);
+  /// A file whose name tells nothing about the program: what it holds, or why that is not known.
+  struct Neighbour {
+    ProgramPlaces::Found found;
+    std::optional<LabelIndex> labels;
+    std::string obstacle;
+  };
+  const std::vector<Neighbour>& neighbours(std::uint32_t line);
   std::string searched_in(std::uint32_t scope, const ProgramFile& from);
   ProgramFile* open(const ProgramPlaces::Found& found, std::string& reason);
   ProgramPlaces& places();
@@ -69,8 +76,9 @@ class ProgramSearch {
   std::unique_ptr<ProgramPlaces> places_;
   std::unordered_map<std::string, Target> known_;
   BlockPlace main_start_;
-  std::set<std::string, std::less<>> hiding_;    // programs that were reported to hide others
-  std::set<std::string, std::less<>> searched_;  // programs that were looked for in files of other names
+  std::set<std::string, std::less<>> hiding_;         // programs that were reported to hide others
+  std::optional<std::vector<Neighbour>> neighbours_;  // read once, since a program may call any number of others
+  std::set<std::string, std::less<>> not_in_neighbours_;
 };
 
 }  // namespace isogloss
