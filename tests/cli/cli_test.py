@@ -400,6 +400,13 @@ class OddFiles(Command):
         self.assertRegex(done.stderr, r"O5150 is called from \S*other150.nc.*\[IG-0451\]")
         self.assertRegex(done.stderr, r"O5151 is called from \S*other151.nc.*\[IG-0451\]")
 
+    def test_a_folder_of_too_many_files_is_told(self):
+        for number in range(300):
+            self.write(f"other{number}.nc", f"O{5000 + number}\nM99\n")
+        main = self.write("main.nc", "O1\nG21 G90\nM98 P5150\nM30\n")
+        done = self.run_it("run", main, "-d", "fanuc", "--emit", "none", status=1)
+        self.assertRegex(done.stderr, r"O5150 is not found.* folder \S+ \(not inside 30[0-9] files of other names\)")
+
     def test_a_program_in_a_file_of_another_name_is_found_from_each_caller(self):
         self.write("other.nc", "O1002\nX20.\nM99\n")
         self.write("O1003.nc", "O1003\nM98 P1002\nM99\n")

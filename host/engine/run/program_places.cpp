@@ -275,13 +275,19 @@ std::vector<ProgramPlaces::Found> ProgramPlaces::list_inside() {
         if (const std::string e = in_small_letters(fs::path(name).extension().string());
             std::find(extensions_.begin(), extensions_.end(), e) != extensions_.end())
           names.insert(name);
-    if (names.size() > most_files_of_folder) continue;
+    if (names.size() > most_files_of_folder) {
+      folder->unread = names.size();
+      continue;
+    }
     for (const std::string& name : names) {
       std::error_code code;
       const fs::path resolved = fs::canonical(folder->resolved / name, code);
       if (code || resolved.parent_path() != folder->resolved || !fs::is_regular_file(resolved, code)) continue;
       const std::uintmax_t size = fs::file_size(resolved, code);
-      if (code || size > bytes_left || out.size() == most_files) continue;
+      if (code || size > bytes_left || out.size() == most_files) {
+        ++folder->unread;
+        continue;
+      }
       bytes_left -= size;
       out.push_back({resolved, folder->shown == "." ? name : (fs::path(folder->shown) / name).string(), true});
     }
@@ -293,6 +299,7 @@ std::string ProgramPlaces::describe() const {
   std::string out;
   const auto add = [&](const Folder& folder) {
     out += (out.empty() ? "" : ", ") + std::string(folder.is_library ? "file " : "folder ") + folder.shown;
+    if (folder.unread > 0) out += " (not inside " + std::to_string(folder.unread) + " files of other names)";
   };
   for (const Folder* const folder : given_) add(*folder);
   for (const auto& level : levels_)

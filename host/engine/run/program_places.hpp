@@ -53,13 +53,14 @@ class ProgramPlaces {
   /// Every file of the folders that may hold programs, whatever its name; of a folder of more than 256 none, and of all
   /// together 4096 files and 64 MiB at most. Listed once.
   const std::vector<Found>& inside();
-  std::string describe() const;  ///< "folder a, file b"
+  std::string describe() const;  ///< "folder a, file b"; what inside() has left out of a folder is told
 
  private:
   struct Folder {
     std::string shown;
     std::filesystem::path resolved;
     bool is_listed = false, is_library = false;
+    std::size_t unread = 0;  // files that inside() leaves out
     std::map<std::string, std::vector<std::string>, std::less<>> files;    // by stem in small letters
     std::map<std::string, std::vector<std::string>, std::less<>> folders;  // by name in small letters
   };
