@@ -290,6 +290,22 @@ class Batch(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(list(self.results("piped")), ["a.nc"])
 
+    def test_a_file_of_paths_is_a_list(self):
+        self.write("a.nc", GOOD)
+        self.write("sub/b.nc", GOOD)
+        list_file = self.path / "list.txt"
+        list_file.write_text("\r\narchive/sub\r\narchive/a.nc\n")
+        self.assertIn("list.txt:1:1: note", self.batch(places=["list.txt"]).stderr)
+        self.assertEqual(list(self.results()), ["a.nc", "sub/b.nc"])
+        list_file.write_text("archive/a.nc\narchive/none.nc\n")
+        self.assertIn("list.txt:2:1: error", self.batch(places=["list.txt"], out="missing", status=2).stderr)
+        # The first line of a program may be the name of a file, and of the program's own.
+        (self.path / "O0001").write_text("O0001\n" + GOOD)
+        (self.path / "O0002").write_text("O0001\n" + GOOD)
+        done = self.batch(places=["O0001", "O0002"], out="programs")
+        self.assertNotIn("[IG-0676]", done.stderr)
+        self.assertEqual(len((self.path / "programs" / "results.jsonl").read_text().splitlines()), 2)
+
     def test_scripts_for_slurm_run_the_parts_and_merge_them(self):
         self.archive_of(9)
         self.batch(out="whole")

@@ -202,9 +202,9 @@ int Batch::write_results(const std::vector<std::string>& programs) {
 }
 
 void add_to(CommandLine& line, BatchArguments& a) {
-  line.option("PLACE", a.places.places, "Programs, and folders: all programs below them");
-  line.option("--list", a.places.list, "More of them: a file with one in each line; - is standard input")
-      .type_name("FILE");
+  line.option("PLACE", a.places.places,
+              "Programs, folders with all programs below them, and lists of both, one in each line");
+  line.option("--list", a.places.list, "A list that may begin with a bare name; - is standard input").type_name("FILE");
   line.option("--include", a.places.include,
               "Of the folders only files whose name or path is like this, e.g. '*.nc' (repeatable)")
       .type_name("PATTERN");

@@ -21,15 +21,37 @@ bool matches(const std::vector<std::string>& patterns, const fs::path& below) {
   });
 }
 
-/// Tables and dialects are XML; drawings, archives and sheets have bytes that no part program has.
-bool is_text_of_program(const fs::path& file) {
-  if (file.extension() == ".xml") return false;
+std::string head_of(const fs::path& file) {
   constexpr std::size_t looked_at = 4096;
   std::ifstream in(file, std::ios::binary);
   std::string head(looked_at, ' ');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(in.gcount()));
-  return head.find('\0') == std::string::npos;
+  return head;
+}
+
+/// Tables and dialects are XML; drawings, archives and sheets have bytes that no part program has.
+bool is_text_of_program(const fs::path& file) {
+  return file.extension() != ".xml" && head_of(file).find('\0') == std::string::npos;
+}
+
+/// Takes the next line off the text, without its end.
+std::string_view next_line(std::string_view& text) {
+  std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(text.size(), line.size() + 1));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+/// Whether the first line is the path of another file or folder. A bare name does not count: O0001 is the first line of
+/// a program, and may be a file beside it.
+bool is_list(const std::string& place) {
+  const std::string head = head_of(place);
+  std::string_view rest = head, line;
+  while (!rest.empty() && line.empty()) line = next_line(rest);
+  std::error_code ignored;
+  return line.find_first_of("/.") != std::string_view::npos && fs::exists(std::string(line), ignored) &&
+         !fs::equivalent(std::string(line), place, ignored);
 }
 
 bool is_program(const fs::directory_entry& entry, const fs::path& below, const ProgramPlaces& wanted) {
@@ -83,10 +105,8 @@ bool add_list(const std::string& list, const ProgramPlaces& wanted, ProgramList&
   bool sound = true;
   std::uint32_t number = 0;
   for (std::string_view rest = *text; !rest.empty();) {
-    std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    const std::string_view line = next_line(rest);
     ++number;
-    if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.empty()) continue;
     if (fs::exists(std::string(line))) {
       sound = add_place(std::string(line), wanted, out, session) && sound;
@@ -103,7 +123,12 @@ bool add_list(const std::string& list, const ProgramPlaces& wanted, ProgramList&
 std::optional<ProgramList> list_programs(const ProgramPlaces& wanted, Session& session) {
   ProgramList out;
   bool sound = true;
-  for (const std::string& place : wanted.places) sound = add_place(place, wanted, out, session) && sound;
+  for (const std::string& place : wanted.places) {
+    std::error_code ignored;
+    const bool names_others = fs::is_regular_file(place, ignored) && is_list(place);
+    if (names_others) session.report("IG-0676", {place, 1, 1}, {});
+    sound = (names_others ? add_list : add_place)(place, wanted, out, session) && sound;
+  }
   if (!wanted.list.empty()) sound = add_list(wanted.list, wanted, out, session) && sound;
   std::sort(out.programs.begin(), out.programs.end());
   out.programs.erase(std::unique(out.programs.begin(), out.programs.end()), out.programs.end());

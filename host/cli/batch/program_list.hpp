@@ -9,7 +9,7 @@
 namespace isogloss::cli::batch {
 
 struct ProgramPlaces {
-  std::vector<std::string> places;            ///< programs, and folders with all that is below them
+  std::vector<std::string> places;            ///< programs, folders with all that is below them, and lists
   std::string list;                           ///< a file with a path in each line; "-": standard input; empty: none
   std::vector<std::string> include, exclude;  ///< patterns of the shell for the path below the folder, or its last part
   std::string results;                        ///< a folder that is not looked into

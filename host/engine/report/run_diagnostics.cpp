@@ -251,6 +251,11 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "What is finished is kept in the folder of the results: when the cause is gone, the same command goes on from "
        "there.",
        "isogloss batch archive -o results, with no file descriptor left"},
+      {note, "IG-0676", "the first line is the path of a file or folder, so this is read as a list of programs",
+       "A list has a path in each line, as seen from the folder where the command runs. A file whose first line is a "
+       "bare "
+       "name is a program, for O0001 may be both: --list reads such a list.",
+       "isogloss batch list.txt -o results"},
 
       // untrusted programs and plugins: 0680-0689
       {error, "IG-0680", "--untrusted cannot be kept here, so nothing was run: {0}",
