@@ -57,9 +57,10 @@ const ig::Diagnostics shared_diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0113",
                    "{0} takes {1} values in its brackets: look for a missing comma or one too many",
                    "The brackets hold the values of the function, with commas between them.", "R1=ATAN2(1)"),
-    ig::diagnostic(IG_ERROR, "SIE-0114", "{0} is not stored: the program has more variables than the run keeps",
-                   "At most 100000 variables are kept, and each element of an array counts as one.",
-                   "DEF REAL A (a hundred thousand times)"),
+    ig::diagnostic(
+        IG_ERROR, "SIE-0114", "{0} is not stored: the program has more variables than the run keeps",
+        "At most 100000 variables are kept, and each element of an array counts as one. A REP for more stores nothing.",
+        "DEF REAL A (a hundred thousand times)"),
     ig::diagnostic(
         IG_ERROR, "SIE-0124",
         "there is no variable or array {0}, so nothing is assigned: define it, or give it in a table of variables",

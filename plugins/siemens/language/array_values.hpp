@@ -40,7 +40,12 @@ class ArrayValues {
         environment_.note_fill(b_, array, *values_[0]);
         return true;
       }
-      values_.assign(std::min({count, room, most_elements}), std::optional<Value>(values_[0]));
+      const std::size_t elements = std::min({count, room, most_elements});
+      if (values_[0] && !environment_.store().may_hold(array, elements)) {
+        environment_.report_not_stored(b_, ig::Where::columns(begin, next), array, *values_[0], Stored::too_many);
+        return false;
+      }
+      values_.assign(elements, std::optional<Value>(values_[0]));
     } else if (values_.size() > room) {
       b_.report(ig::diag("SIE-0303"), ig::Where::columns(begin, next), std::string_view(array),
                 static_cast<double>(room));

@@ -85,6 +85,11 @@ Stored VariableStore::assign(const std::string& name, Value value) {
   return Stored::yes;
 }
 
+bool VariableStore::may_hold(const std::string& array, std::size_t elements) {
+  const Variables& variables = *holder_of(array, array);
+  return variables.size() - variables.at(array).elements.size() + elements <= most_names;
+}
+
 void VariableStore::fill(const std::string& array, const Value& value) {
   Variables& variables = *holder_of(array, array);
   const bool is_saved = &variables == &user_data_ && saver_ != nullptr;

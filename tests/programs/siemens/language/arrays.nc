@@ -50,6 +50,7 @@ N410 EXECSTRING("IF 1")
 N420 G[8]=0
 N430 X12
 N440 LARGE[0,0,1]=REP(1)
+N445 X=LARGE[0,0,2] ; no part of the REP has been stored
 M30
 %_N_UP_SPF
 PROC UP(VAR REAL T[])
