@@ -60,7 +60,7 @@ class ProgramPlaces {
     std::string shown;
     std::filesystem::path resolved;
     bool is_listed = false, is_library = false;
-    std::size_t unread = 0;  // files that inside() leaves out
+    std::size_t unread = 0;                                                // files that inside() leaves out
     std::map<std::string, std::vector<std::string>, std::less<>> files;    // by stem in small letters
     std::map<std::string, std::vector<std::string>, std::less<>> folders;  // by name in small letters
   };
