@@ -82,6 +82,11 @@ Session::Session(const CommonOptions& options)
   if (!diagnostics_output_.empty()) diagnostics_file_ = OutputFile::open(diagnostics_output_, error);
   if (!diagnostics_output_.empty() && diagnostics_file_ == nullptr) report("IG-0511", {diagnostics_output_}, {error});
   if (folder_of_executable().empty()) report("IG-0610", {}, {"plugins and dialects"});
+  for (const auto& [option, folders] :
+       {std::pair{"--plugins", &options.plugins}, std::pair{"--dialects", &options.dialects},
+        std::pair{"--machines", &options.machines}})
+    for (const std::string& folder : *folders)
+      if (std::error_code ignored; !fs::is_directory(folder, ignored)) report("IG-0612", {}, {option, folder});
 }
 
 Session::~Session() {

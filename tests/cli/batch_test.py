@@ -290,6 +290,26 @@ class Batch(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(list(self.results("piped")), ["a.nc"])
 
+    def test_a_path_that_no_system_takes_is_told(self):
+        self.write("a.nc", GOOD)
+        (self.path / "list.txt").write_text("archive/a.nc\n" + "x" * 5000 + "\n")
+        self.assertIn("list.txt:2:1: error", self.batch("--list", "list.txt", places=(), status=2).stderr)
+
+    def test_an_earlier_batch_that_is_not_there_is_told(self):
+        self.write("a.nc", GOOD)
+        self.assertIn("[IG-0677]", self.batch("--changed-since", "misspelt").stderr)
+        self.assertNotIn("[IG-0677]", self.batch("--changed-since", "out", out="next").stderr)
+
+    def test_a_batch_in_a_folder_that_is_gone_is_told(self):
+        gone = self.path / "gone"
+        gone.mkdir()
+        program = self.write("a.nc", GOOD)
+        text = 'cd "$1" && rmdir "$1" && exec "$2" batch "$3" -d fanuc -o out --slurm 2 --no-submit'
+        done = subprocess.run(["sh", "-c", text, "sh", gone, OPTIONS.isogloss, program], capture_output=True, text=True,
+                              check=False)
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn("[IG-0511]", done.stderr)
+
     def test_a_file_of_paths_is_a_list(self):
         self.write("a.nc", GOOD)
         self.write("sub/b.nc", GOOD)

@@ -400,6 +400,14 @@ class OddFiles(Command):
         self.assertRegex(done.stderr, r"O5150 is called from \S*other150.nc.*\[IG-0451\]")
         self.assertRegex(done.stderr, r"O5151 is called from \S*other151.nc.*\[IG-0451\]")
 
+    def test_a_folder_that_is_not_there_is_told(self):
+        for option in ("--plugins", "--dialects", "--machines"):
+            done = self.run_it("run", self.program, "-d", "fanuc", "--emit", "none", option, self.path / "misspelt")
+            self.assertRegex(done.stderr, option + r" names \S*misspelt, which is no folder.* \[IG-0612\]")
+            self.assertEqual(done.stderr.count("IG-0612"), 1)
+            done = self.run_it("run", self.program, "-d", "fanuc", "--emit", "none", option, self.path)
+            self.assertNotIn("IG-0612", done.stderr)
+
     def test_a_folder_of_too_many_files_is_told(self):
         for number in range(300):
             self.write(f"other{number}.nc", f"O{5000 + number}\nM99\n")

@@ -75,7 +75,8 @@ int Batch::run() {
   surroundings_ = *surroundings;
   if (list->left_out != 0) session_.report("IG-0671", {}, {std::to_string(list->left_out)});
   journal_.read(arguments_.output);
-  for (const std::string& folder : arguments_.changed_since) before_.read(folder);
+  for (const std::string& folder : arguments_.changed_since)
+    if (!before_.read(folder)) session_.report("IG-0677", {folder}, {});
   if (const std::uint64_t damaged = journal_.damaged_lines() + before_.damaged_lines(); damaged != 0)
     session_.report("IG-0672", {arguments_.output}, {std::to_string(damaged)});
   if (!arguments_.merges) {

@@ -68,7 +68,7 @@ Journal::~Journal() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-void Journal::read(const std::string& folder) {
+bool Journal::read(const std::string& folder) {
   std::error_code error;
   std::vector<std::string> files;
   for (fs::directory_iterator at(fs::path(folder) / folder_of_journal, error), end; !error && at != end;
@@ -76,6 +76,7 @@ void Journal::read(const std::string& folder) {
     if (at->path().extension() == ".jsonl") files.push_back(at->path().string());
   std::sort(files.begin(), files.end());
   for (const std::string& file : files) read_file(file);
+  return !files.empty();
 }
 
 void Journal::read_file(const std::string& file) {

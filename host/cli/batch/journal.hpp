@@ -29,8 +29,8 @@ std::string name_of_text(std::string_view text);
 /// the same.
 class Journal {
  public:
-  /// Reads what all processes have written so far. Lines that cannot be read are counted.
-  void read(const std::string& folder);
+  /// Reads what all processes have written so far; false where there is nothing. Lines that cannot be read are counted.
+  bool read(const std::string& folder);
   std::uint64_t damaged_lines() const { return damaged_; }
   /// Makes the folder; an empty text, or the reason why not.
   std::string open(const std::string& folder);

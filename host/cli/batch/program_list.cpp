@@ -108,7 +108,7 @@ bool add_list(const std::string& list, const ProgramPlaces& wanted, ProgramList&
     const std::string_view line = next_line(rest);
     ++number;
     if (line.empty()) continue;
-    if (fs::exists(std::string(line))) {
+    if (std::error_code ignored; fs::exists(std::string(line), ignored)) {
       sound = add_place(std::string(line), wanted, out, session) && sound;
     } else {
       session.report("IG-0510", {list, number, 1}, {"no such file or folder: " + std::string(line)});

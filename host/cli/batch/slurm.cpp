@@ -24,7 +24,9 @@ std::string quoted(const std::string& word) {
 
 /// What the batch was given, without what makes it submit itself.
 std::string command_of(const BatchArguments& arguments) {
-  std::string out = quoted(fs::read_symlink("/proc/self/exe").string()) + " batch";
+  std::error_code error;
+  const fs::path command = fs::read_symlink("/proc/self/exe", error);
+  std::string out = quoted((error ? folder_of_executable() / "isogloss" : command).string()) + " batch";
   for (std::size_t i = 0; i < arguments.given.size(); ++i) {
     const std::string& word = arguments.given[i];
     if (word == "--slurm" || word == "--slurm-options") {
@@ -79,7 +81,11 @@ int run_on_slurm(const BatchArguments& arguments, Session& session) {
     return cannot_start;
   }
   std::error_code code;
-  const fs::path folder = fs::absolute(arguments.output) / "slurm";
+  const fs::path results = fs::absolute(arguments.output, code), folder = results / "slurm";
+  if (code) {
+    session.report("IG-0511", {arguments.output}, {code.message()});
+    return cannot_start;
+  }
   if (folder.string().find_first_of("\"\n") != std::string::npos) {
     session.report("IG-0513", {}, {"Slurm takes no quotation mark and no line break in the name of a folder"});
     return cannot_start;

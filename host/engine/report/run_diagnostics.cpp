@@ -191,6 +191,9 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "syntax "
        "in its place, or leave the edit out where programs of this control hold them.",
        R"(<Remove syntax="UnitModeSyntax"/>)"},
+      {warning, "IG-0612", "{0} names {1}, which is no folder: nothing is looked for there",
+       "The option has no effect. Look for a misspelt name, or a folder that is not mounted.",
+       "isogloss run part.nc --plugins misspelt"},
       {error, "IG-0516", "no syntax, dependency, dialect, field or diagnostic '{0}'",
        "`isogloss list` names what is there.", "isogloss inspect DrilingCycleSyntax"},
       {warning, "IG-0517", "stopped after {0} errors: --max-errors sets another limit",
@@ -253,9 +256,11 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "isogloss batch archive -o results, with no file descriptor left"},
       {note, "IG-0676", "the first line is the path of a file or folder, so this is read as a list of programs",
        "A list has a path in each line, as seen from the folder where the command runs. A file whose first line is a "
-       "bare "
-       "name is a program, for O0001 may be both: --list reads such a list.",
+       "bare name is a program, for O0001 may be both: --list reads such a list.",
        "isogloss batch list.txt -o results"},
+      {warning, "IG-0677", "--changed-since finds no results of a batch here, so it spares no program",
+       "It takes the folder that an earlier batch had as -o. In a first batch there is none yet.",
+       "isogloss batch archive -o results --changed-since misspelt"},
 
       // untrusted programs and plugins: 0680-0689
       {error, "IG-0680", "--untrusted cannot be kept here, so nothing was run: {0}",
