@@ -295,6 +295,12 @@ class Batch(unittest.TestCase):
         (self.path / "list.txt").write_text("archive/a.nc\n" + "x" * 5000 + "\n")
         self.assertIn("list.txt:2:1: error", self.batch("--list", "list.txt", places=(), status=2).stderr)
 
+    def test_a_folder_that_is_not_there_is_told_once(self):
+        self.write("a.nc", GOOD)
+        self.write("b.nc", GOOD)
+        self.assertEqual(self.batch("--plugins", "misspelt").stderr.count("[IG-0612]"), 1)
+        self.assertEqual([r["Diagnostics"] for r in self.results().values()], [[], []])
+
     def test_an_earlier_batch_that_is_not_there_is_told(self):
         self.write("a.nc", GOOD)
         self.assertIn("[IG-0677]", self.batch("--changed-since", "misspelt").stderr)
@@ -302,13 +308,13 @@ class Batch(unittest.TestCase):
 
     def test_a_batch_in_a_folder_that_is_gone_is_told(self):
         gone = self.path / "gone"
-        gone.mkdir()
         program = self.write("a.nc", GOOD)
-        text = 'cd "$1" && rmdir "$1" && exec "$2" batch "$3" -d fanuc -o out --slurm 2 --no-submit'
-        done = subprocess.run(["sh", "-c", text, "sh", gone, OPTIONS.isogloss, program], capture_output=True, text=True,
-                              check=False)
-        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-        self.assertIn("[IG-0511]", done.stderr)
+        text = 'mkdir "$1" && cd "$1" && rmdir "$1" && exec "$2" batch "$3" -d fanuc -o "$4" --slurm 2 --no-submit'
+        for out in ("out", self.path / "out"):
+            done = subprocess.run(["sh", "-c", text, "sh", gone, OPTIONS.isogloss, program, out], capture_output=True,
+                                  text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertIn("[IG-0513]", done.stderr)
 
     def test_a_file_of_paths_is_a_list(self):
         self.write("a.nc", GOOD)
@@ -322,9 +328,10 @@ class Batch(unittest.TestCase):
         # The first line of a program may be the name of a file, and of the program's own.
         (self.path / "O0001").write_text("O0001\n" + GOOD)
         (self.path / "O0002").write_text("O0001\n" + GOOD)
-        done = self.batch(places=["O0001", "O0002"], out="programs")
+        (self.path / "skipped.nc").write_text("/\n" + GOOD)
+        done = self.batch(places=["O0001", "O0002", "skipped.nc"], out="programs")
         self.assertNotIn("[IG-0676]", done.stderr)
-        self.assertEqual(len((self.path / "programs" / "results.jsonl").read_text().splitlines()), 2)
+        self.assertEqual(len((self.path / "programs" / "results.jsonl").read_text().splitlines()), 3)
 
     def test_scripts_for_slurm_run_the_parts_and_merge_them(self):
         self.archive_of(9)

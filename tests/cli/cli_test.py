@@ -408,6 +408,16 @@ class OddFiles(Command):
             done = self.run_it("run", self.program, "-d", "fanuc", "--emit", "none", option, self.path)
             self.assertNotIn("IG-0612", done.stderr)
 
+    def test_a_rep_for_more_elements_than_are_kept_stores_none(self):
+        self.write("few.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="few" extends="siemens"><Dependencies>'
+                              '<SiemensVariables most-variables="8"/></Dependencies></Dialect>')
+        # The array and three elements; five more are one too many, and of the next five two are there already.
+        main = self.write("main.mpf", "G71 G90 G0 X100\nDEF REAL A[10]\nA[0]=1\nA[1]=1\nA[2]=1\nA[4]=REP(7,5)\nX=A[4]\n"
+                                      "A[1]=REP(7,5)\nX=A[5]\nM30\n")
+        done = self.run_it("run", main, "-d", self.path / "few.xml", "--format", "csv", status=1)
+        self.assertEqual(done.stderr.count("[SIE-0114]"), 1, done.stderr)
+        self.assertEqual([line.split(",")[3] for line in done.stdout.splitlines()[1:4]], ["100", "0", "7"])
+
     def test_a_folder_of_too_many_files_is_told(self):
         for number in range(300):
             self.write(f"other{number}.nc", f"O{5000 + number}\nM99\n")

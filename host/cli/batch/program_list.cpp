@@ -44,13 +44,14 @@ std::string_view next_line(std::string_view& text) {
 }
 
 /// Whether the first line is the path of another file or folder. A bare name does not count: O0001 is the first line of
-/// a program, and may be a file beside it.
+/// a program, and may be a file beside it. Nor does a line of signs: / skips a block, and is the root of all folders.
 bool is_list(const std::string& place) {
   const std::string head = head_of(place);
   std::string_view rest = head, line;
   while (!rest.empty() && line.empty()) line = next_line(rest);
   std::error_code ignored;
-  return line.find_first_of("/.") != std::string_view::npos && fs::exists(std::string(line), ignored) &&
+  return line.find_first_of("/.") != std::string_view::npos &&
+         line.find_first_not_of("/.; \t") != std::string_view::npos && fs::exists(std::string(line), ignored) &&
          !fs::equivalent(std::string(line), place, ignored);
 }
 

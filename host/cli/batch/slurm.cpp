@@ -45,13 +45,13 @@ std::string log_name(const fs::path& folder, const std::string& name) {
   return out + "/" + name;
 }
 
-std::string script(const BatchArguments& arguments, const fs::path& folder, const std::string& log,
-                   const std::string& head, const std::string& more) {
+std::string script(const BatchArguments& arguments, const fs::path& here, const fs::path& folder,
+                   const std::string& log, const std::string& head, const std::string& more) {
   return fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=isogloss\n#SBATCH --output=\"{}\"\n#SBATCH --open-mode=append\n{}{}cd {} || exit "
       "2\nexec {} {}\n",
       log_name(folder, log), head, arguments.slurm_options.empty() ? "" : "#SBATCH " + arguments.slurm_options + "\n",
-      quoted(fs::current_path().string()), command_of(arguments), more);
+      quoted(here.string()), command_of(arguments), more);
 }
 
 /// The number of the job that sbatch has made: a line of digits, with the cluster's name behind a semicolon, beside
@@ -81,9 +81,9 @@ int run_on_slurm(const BatchArguments& arguments, Session& session) {
     return cannot_start;
   }
   std::error_code code;
-  const fs::path results = fs::absolute(arguments.output, code), folder = results / "slurm";
+  const fs::path here = fs::current_path(code), folder = here / arguments.output / "slurm";
   if (code) {
-    session.report("IG-0511", {arguments.output}, {code.message()});
+    session.report("IG-0513", {}, {"the jobs run in this folder, which cannot be reached: " + code.message()});
     return cannot_start;
   }
   if (folder.string().find_first_of("\"\n") != std::string::npos) {
@@ -97,12 +97,12 @@ int run_on_slurm(const BatchArguments& arguments, Session& session) {
   }
   const std::string parts = (folder / "parts.sh").string(), merge = (folder / "merge.sh").string();
   const std::uint32_t count = arguments.slurm_parts;
-  if (!write_file(
-          parts,
-          script(arguments, folder, "part-%a.log", fmt::format("#SBATCH --array=1-{}\n#SBATCH --requeue\n", count),
-                 fmt::format("--shard \"$SLURM_ARRAY_TASK_ID/{}\"", count)),
-          session) ||
-      !write_file(merge, script(arguments, folder, "merge.log", "", "--merge"), session))
+  if (!write_file(parts,
+                  script(arguments, here, folder, "part-%a.log",
+                         fmt::format("#SBATCH --array=1-{}\n#SBATCH --requeue\n", count),
+                         fmt::format("--shard \"$SLURM_ARRAY_TASK_ID/{}\"", count)),
+                  session) ||
+      !write_file(merge, script(arguments, here, folder, "merge.log", "", "--merge"), session))
     return cannot_start;
   if (arguments.holds_back) {
     std::fputs(fmt::format("sbatch {}, and behind it sbatch --dependency=afterany:JOB {}\n", parts, merge).c_str(),

@@ -40,6 +40,8 @@ class LabelIndex {
   /// The folder of the program that stands at a place; empty where the file names none.
   const std::string& folder_at(const BlockPlace& place) const;
   bool has_programs() const { return !programs_.empty(); }
+  /// Forgets the labels within the programs.
+  void keep_programs() { labels_ = {}; }
   /// The label of the program that `from` stands in.
   std::optional<BlockPlace> find(std::string_view name, const BlockPlace& from, ig_search search) const;
   /// The programs that begin after a place, in order.

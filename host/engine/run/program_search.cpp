@@ -189,6 +189,7 @@ const std::vector<ProgramSearch::Neighbour>& ProgramSearch::neighbours(std::uint
     ProgramFile* const file = open(found, one.obstacle);
     if (file == nullptr) continue;
     one.labels = labels(*file, line);
+    one.labels->keep_programs();
     if (files_.size() > known) files_.pop_back();
   }
   return *neighbours_;

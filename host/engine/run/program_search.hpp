@@ -55,7 +55,7 @@ class ProgramSearch {
                        std::string& reason);
   void report_hidden(const ig_go& request, const Caller& caller, const SearchedNames& names, const Target& found);
   bool find_in_neighbours(std::string_view label, const Caller& caller, Target& out, std::string& reason);
-  /// A file whose name tells nothing about the program: what it holds, or why that is not known.
+  /// A file whose name tells nothing about the program: the programs that it holds, or why they are not known.
   struct Neighbour {
     ProgramPlaces::Found found;
     std::optional<LabelIndex> labels;

@@ -47,8 +47,7 @@ class PlaneStatement {
   /// reported.
   bool read(ig::Block& b, std::string_view text, std::size_t position, PlaneCommand& command) const;
   /// Reads the spatial angles of cycle 19; those that are not named keep the values of `in_force`. If all are 0, or
-  /// none is given, there is no plane. F and DIST position the axes as MOVE does where the
-  /// option says so.
+  /// none is given, there is no plane. F and DIST position the axes as MOVE does where the option says so.
   void read_cycle(ig::Block& b, std::string_view text, std::size_t position, const std::optional<ig::Vec3>& in_force,
                   PlaneCommand& command) const;
 

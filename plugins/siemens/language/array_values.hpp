@@ -41,7 +41,7 @@ class ArrayValues {
         return true;
       }
       const std::size_t elements = std::min({count, room, most_elements});
-      if (values_[0] && !environment_.store().may_hold(array, elements)) {
+      if (values_[0] && !environment_.store().may_hold(array, first, elements)) {
         environment_.report_not_stored(b_, ig::Where::columns(begin, next), array, *values_[0], Stored::too_many);
         return false;
       }

@@ -1,6 +1,8 @@
 // What a program defines, gives back to its caller, and leaves behind when the run begins again.
 #include "language/variable_store.hpp"
 
+#include <algorithm>
+
 namespace siemens {
 
 void VariableStore::enter_other(std::uint64_t frame) {
@@ -85,9 +87,14 @@ Stored VariableStore::assign(const std::string& name, Value value) {
   return Stored::yes;
 }
 
-bool VariableStore::may_hold(const std::string& array, std::size_t elements) {
+bool VariableStore::may_hold(const std::string& array, std::size_t first, std::size_t count) {
   const Variables& variables = *holder_of(array, array);
-  return variables.size() - variables.at(array).elements.size() + elements <= most_names;
+  const Variable& all = variables.at(array);
+  const auto known = std::count_if(all.elements.begin(), all.elements.end(), [&](const std::string& element) {
+    const std::optional<std::size_t> number = all.number_of(element);
+    return number && *number >= first && *number - first < count;
+  });
+  return variables.size() + count - static_cast<std::size_t>(known) <= most_names;
 }
 
 void VariableStore::fill(const std::string& array, const Value& value) {

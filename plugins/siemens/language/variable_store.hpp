@@ -123,8 +123,8 @@ class VariableStore {
   bool define(const std::string& name, const Declared& type, bool is_array = false);
   /// Assigns a value to a variable or an element, converted to its type.
   Stored assign(const std::string& name, Value value);
-  /// False where so many elements of the array cannot have values of their own, whichever have them already.
-  bool may_hold(const std::string& array, std::size_t elements);
+  /// Whether `count` elements of the array, from number `first` on, can have values of their own.
+  bool may_hold(const std::string& array, std::size_t first, std::size_t count);
   /// Gives every element of the array this value, which fits.
   void fill(const std::string& array, const Value& value);
   /// The elements of an array that have a value of their own.
