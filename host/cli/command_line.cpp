@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <limits>
 #include <map>
 
 #include "isogloss/engine/diagnostic.hpp"
@@ -23,6 +24,20 @@ CLI::Option& option_of(void* option) { return *static_cast<CLI::Option*>(option)
 /// The parser's library would read 010 as an octal number.
 std::string without_zeros(const std::string& number) {
   return number.substr(std::min(number.find_first_not_of('0'), std::max<std::size_t>(number.size(), 1) - 1));
+}
+
+template <class Number>
+constexpr std::uint64_t largest = std::numeric_limits<Number>::max();
+template <>
+constexpr std::uint64_t largest<std::optional<std::uint64_t>> = largest<std::uint64_t>;
+
+/// What is wrong with digits that stand for more than the option's variable holds; the other checks tell of other text.
+template <std::uint64_t largest>
+std::string excess(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_large = error == std::errc::result_out_of_range || (error == std::errc() && value > largest);
+  return is_large ? "'" + text + "' is more than " + std::to_string(largest) : std::string();
 }
 
 /// "a, b or c"
@@ -155,6 +170,7 @@ Option CommandLine::option(const std::string& names, std::string& value, const s
 template <class Number>
 Option CommandLine::number(const std::string& names, Number& value, const std::string& description) {
   CLI::Option* const added = parser_->add_option(names, value, description)->transform(without_zeros);
+  added->check(excess<largest<Number>>, "");
   return Option(added, parser_->words[added]).at_least(0);
 }
 
@@ -221,5 +237,7 @@ std::optional<int> CommandLine::parse(const Arguments& arguments) {
     return cannot_start;
   }
 }
+
+bool CommandLine::is_given(const std::string& option) const { return parser_->count(option) > 0; }
 
 }  // namespace isogloss::cli

@@ -57,6 +57,8 @@ class CommandLine {
 
   /// A status when the command is done already (help, wrong usage, described).
   std::optional<int> parse(const Arguments& arguments);
+  /// After parse(): does the option, "--format", stand on the command line?
+  bool is_given(const std::string& option) const;
 
  private:
   struct Parser;

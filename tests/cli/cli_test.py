@@ -408,6 +408,29 @@ class OddFiles(Command):
             done = self.run_it("run", self.program, "-d", "fanuc", "--emit", "none", option, self.path)
             self.assertNotIn("IG-0612", done.stderr)
 
+    def test_an_option_that_the_output_has_no_use_for_is_told(self):
+        def told(*options):
+            said = self.run_it("run", self.program, "-d", "fanuc", *options).stderr
+            return re.findall(r"warning: (--\S+) has no effect: .*\[IG-0519\]", said)
+        kept = self.write("kept.csv", "of an earlier run\n")
+        self.assertEqual(told("--emit", "none", "--format", "csv", "-o", kept, "--exact"),
+                         ["--format", "--output", "--exact"])
+        self.assertEqual(kept.read_text(), "of an earlier run\n")
+        self.assertEqual(told("--emit", "none", "--json"), ["--json"])
+        self.assertEqual(told("--summary", "--json", "--zero-moves"), ["--zero-moves"])
+        self.assertEqual(told("--emit", "blocks", "--format", "jsonl", "--header", "--exact"), ["--header", "--exact"])
+        self.assertEqual(told("--format", "csv", "--header", "--exact"), ["--header"])
+        self.assertEqual(told("--format", "binary", "--exact", "-o", self.path / "a.igm"), ["--exact"])
+        self.assertEqual(told("--tolerance", "0.01", "--header"), ["--tolerance"])
+        self.assertEqual(told("--emit", "canonical", "--tolerance", "0.01", "--exact", "--zero-moves"), [])
+
+    def test_a_number_that_is_too_large_names_the_largest(self):
+        said = self.run_it("run", self.program, "--watchdog", "100000000000", status=2).stderr
+        self.assertIn("--watchdog: '100000000000' is more than 4294967295", said)
+        said = self.run_it("run", self.program, "--max-errors", "1" + "0" * 30, status=2).stderr
+        self.assertIn("is more than 18446744073709551615", said)
+        self.run_it("run", self.program, "--watchdog", "4294967295", "--max-errors", "18446744073709551615")
+
     def test_a_rep_for_more_elements_than_are_kept_stores_none(self):
         self.write("few.xml", '<Dialect xmlns="urn:isogloss:dialect:1" name="few" extends="siemens"><Dependencies>'
                               '<SiemensVariables most-variables="8"/></Dependencies></Dialect>')

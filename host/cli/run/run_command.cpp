@@ -14,7 +14,8 @@ namespace {
 
 struct RunCommand : RunArguments {
   void add_to(CommandLine& line);
-  int run();
+  int run(const CommandLine& line);
+  void report_idle_options(const CommandLine& line, Session& session) const;
   UntrustedWork untrusted_work() const;
 };
 
@@ -64,9 +65,28 @@ UntrustedWork RunCommand::untrusted_work() const {
   return out;
 }
 
-int RunCommand::run() {
+/// Options for which the chosen output has no use.
+void RunCommand::report_idle_options(const CommandLine& line, Session& session) const {
+  const bool has_moves = emit == "motions" || emit == "canonical", is_empty = emit == "none";
+  const auto tell = [&](const char* option, bool has_use, const char* why) {
+    if (!has_use && line.is_given(option))
+      session.report("IG-0519", {}, {option, is_empty ? "nothing is written" : why});
+  };
+  tell("--format", !is_empty, "");
+  tell("--output", !is_empty, "");
+  tell("--json", !is_empty || summary, "");
+  tell("--header", emit == "motions" && format == "jsonl", "only motions as JSON Lines begin with one");
+  tell("--exact", has_moves && format != "binary", "these numbers are always exact");
+  tell("--zero-moves", has_moves, "blocks are written whether they move or not");
+  tell("--frame", emit == "canonical", "only the canonical program has one");
+  tell("--tolerance", emit == "canonical", "only the canonical program has one");
+}
+
+int RunCommand::run(const CommandLine& line) {
   Session session(common);
   if (emit.empty()) emit = summary ? "none" : "motions";
+  report_idle_options(line, session);
+  if (emit == "none") output.clear();  // an empty file would take the place of an older one
   if (emit == "blocks" && (format == "csv" || format == "binary")) {
     const std::string form = format == "csv" ? "CSV" : "binary";
     session.report("IG-0513", {}, {"blocks have no " + form + " form; --format jsonl or text"});
@@ -141,9 +161,10 @@ int run_command(const Arguments& arguments) {
   RunCommand command;
   command.add_to(*line);
   if (const auto done = line->parse(arguments)) return *done;
+  const CommandLine& parsed = *line;
   keep_to_the_end(std::move(line));
   if (const auto done = enter_untrusted(command.untrusted, command.untrusted_work())) return *done;
-  return command.run();
+  return command.run(parsed);
 }
 
 }  // namespace isogloss::cli

@@ -203,6 +203,9 @@ std::vector<DiagnosticInfo> run_diagnostics() {
       {note, "IG-0518", "{0} errors in {1} blocks: this may not be a part program, or it is for another control",
        "At least three of four blocks have an error. `isogloss list dialects` names the dialects, `-d` picks one.",
        "isogloss run README.md"},
+      {warning, "IG-0519", "{0} has no effect: {1}",
+       "The output that was chosen has no use for the option. Leave it out, or choose another output.",
+       "isogloss run part.nc --emit none --format csv"},
 
       // pictures: 0650-0659
       {warning, "IG-0650", "the picture ends after {0} moves: --max-moves sets another limit",
