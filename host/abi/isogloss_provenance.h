@@ -51,7 +51,8 @@ typedef struct ig_row_meaning_1 {
   uint32_t struct_size;
   uint32_t reserved;
   void* self;
-  /* 1: the row has a meaning, and `out` holds that of its cell in this column. The caller sets out->struct_size. */
+  /* 1: the row has a meaning, and `out` holds that of its cell in this column. The caller sets out->struct_size. 0: no
+   * syntax acts on the cell, which `isogloss lint` notes. */
   int32_t (*meaning)(void* self, ig_text row, ig_text column, ig_row_meaning* out);
 } ig_row_meaning_1;
 

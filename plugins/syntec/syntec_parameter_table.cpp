@@ -23,16 +23,17 @@ constexpr const char* shipped[] = {"17|Value=2",   "1240|X=0|Y=0|Z=0", "1420|X=2
                                    "5003|Value=0"};
 
 using Unit = ParameterUnit;
+using Scope = ParameterScope;
 constexpr NamedParameter named_parameters[] = {{control_precision, "increment system"},
-                                               {axis_type, "axis type"},
-                                               {axis_name, "axis name"},
-                                               {"1240", "first reference position", Unit::axis},
-                                               {"1241", "second reference position", Unit::axis},
-                                               {"1242", "third reference position", Unit::axis},
-                                               {"1243", "fourth reference position", Unit::axis},
-                                               {"1320", "upper travel limit", Unit::axis},
-                                               {"1321", "lower travel limit", Unit::axis},
-                                               {rapid_rate, "rapid rate", Unit::rate},
+                                               {axis_type, "axis type", Unit::none, Scope::axes},
+                                               {axis_name, "axis name", Unit::none, Scope::axes},
+                                               {"1240", "first reference position", Unit::axis, Scope::axes},
+                                               {"1241", "second reference position", Unit::axis, Scope::axes},
+                                               {"1242", "third reference position", Unit::axis, Scope::axes},
+                                               {"1243", "fourth reference position", Unit::axis, Scope::axes},
+                                               {"1320", "upper travel limit", Unit::axis, Scope::axes},
+                                               {"1321", "lower travel limit", Unit::axis, Scope::axes},
+                                               {rapid_rate, "rapid rate", Unit::rate, Scope::axes},
                                                {t_macro, "call of the T macro"},
                                                {decimal_point, "numbers without a decimal point"},
                                                {spindle_limit, "highest spindle speed", Unit::rpm},
@@ -89,8 +90,12 @@ struct SyntecParameterTable {
   static bool is_known(std::string_view row) {
     constexpr std::array ones{control_precision, t_macro,      decimal_point,
                               spindle_limit,     peck_retract, compensation_type};
-    const bool registers = row.size() == 4 && (row.starts_with("360") || row.starts_with("370")) && row[3] != '0';
-    return registers || row == "3610" || row == "3710" || std::find(ones.begin(), ones.end(), row) != ones.end();
+    return registers_code(row) || std::find(ones.begin(), ones.end(), row) != ones.end();
+  }
+  /// Pr3601 to Pr3610 and Pr3701 to Pr3710.
+  static bool registers_code(std::string_view row) {
+    const bool is_early = row.size() == 4 && (row.starts_with("360") || row.starts_with("370")) && row[3] != '0';
+    return is_early || row == "3610" || row == "3710";
   }
 
   Answer number(std::string_view parameter) const { return table.value(parameter, columns.value); }
@@ -133,6 +138,8 @@ struct SyntecParameterTable {
   double peck_increment() const { return peck_unit == PeckUnit::micron ? 0.001 : increment(); }
 
   std::optional<ig::RowMeaning> meaning_of(std::string_view row, std::string_view column) const {
+    if (registers_code(row))
+      return column == "Value" ? std::optional(ig::RowMeaning{"code that calls a macro", "", 1, "Pr"}) : std::nullopt;
     return meaning_of_parameter(named_parameters, row, column, peck_increment(), "Pr");
   }
   Answer motion_of(std::string_view name) const {

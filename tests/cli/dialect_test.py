@@ -221,6 +221,36 @@ class Dropped(Command):
         self.assertNotIn("IG-0611", self.run_it("lint", "fanuc", "haas", "syntec", "siemens", "heidenhain").stderr)
 
 
+class IdleRows(Command):
+    """Rows of tables of parameters that nothing acts on."""
+
+    def said(self, rows, table="FanucParameterTable", row="Parameter", dialect="fanuc"):
+        rows = "\n".join(f'<{row} number="{number}" {cells}/>' for number, cells in rows)
+        return self.run_it("lint", self.mine(before=f"<Dependencies><{table}>\n{rows}\n</{table}></Dependencies>\n",
+                                             extends=dialect)).stderr
+
+    def test_a_number_that_no_syntax_knows(self):
+        said = self.said([("3401", 'Value="1"'), ("1302", 'Value="5"'), ("1321", 'X="-500"'), ("9", 'Value="1"')])
+        self.assertRegex(said, r"mine\.xml:\d+:1: note: FanucParameterTable has no use for 1302, 9: is the number right, "
+                               r"and the column\? \[IG-0613\]")
+        many = self.said([(str(number), 'Value="1"') for number in range(9000, 9012)])
+        self.assertIn("has no use for 9000, 9001, 9002, 9003, 9004, 9005, 9006, 9007 and 4 more", many)
+
+    def test_a_column_that_the_parameter_has_no_use_for(self):
+        said = self.said([("1320", 'Value="500"'), ("3401", 'Value="1" X="1"'), ("1420", 'X="1000"')])
+        self.assertIn("has no use for 1320.Value, 3401.X: is", said)
+
+    def test_parameters_that_act(self):
+        for said in (self.said([("6050", 'Value="100"'), ("6079", 'Value="77"'), ("6089", 'Value="78"')]),
+                     self.said([("3601", 'Value="77"'), ("3710", 'Value="2"')], "SyntecParameterTable",
+                               dialect="syntec"),
+                     self.said([("9", 'Value="1"')], "HaasSettings", "Setting", "haas"),
+                     self.run_it("lint", "fanuc", "haas", "syntec", "mazak", "okuma").stderr):
+            self.assertNotIn("IG-0613", said)
+        self.assertIn("HaasSettings has no use for 10:",
+                      self.said([("10", 'Value="1"')], "HaasSettings", "Setting", "haas"))
+
+
 class Suggest(Command):
     def suggested(self, dialect):
         """The patch with the line ends of the file."""

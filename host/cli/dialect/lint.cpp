@@ -4,6 +4,7 @@
 
 #include "dialect/declared_names.hpp"
 #include "dialect/dropped_words.hpp"
+#include "dialect/idle_rows.hpp"
 #include "isogloss/engine/chain.hpp"
 
 namespace isogloss::cli {
@@ -11,9 +12,10 @@ namespace isogloss::cli {
 namespace {
 
 /// False when a dependency or a syntax rejects what the dialect gives it; it reports the reason.
-bool starts(const LinkedDialect& linked, DiagnosticSink& diagnostics) {
+bool starts(const LinkedDialect& linked, DiagnosticSink& diagnostics, DiagnosticSink& notes) {
   try {
     const Chain chain(linked, {}, diagnostics);
+    for (Diagnostic& d : idle_rows(linked, chain)) notes.add(std::move(d));
     return true;
   } catch (const std::runtime_error&) {
     return false;
@@ -50,7 +52,7 @@ Linted lint_dialect(const std::string& name, Session& session, DiagnosticSink& s
   for (Diagnostic& d : review(*out.linked)) notes.add(std::move(d));
   for (Diagnostic& d : dropped_words(*out.linked, session)) notes.add(std::move(d));
   for (Diagnostic& d : unanswered_names(*out.linked, session.library())) notes.add(std::move(d));
-  out.starts = starts(*out.linked, sink);
+  out.starts = starts(*out.linked, sink, notes);
   return out;
 }
 

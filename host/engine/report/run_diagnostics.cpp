@@ -194,6 +194,10 @@ std::vector<DiagnosticInfo> run_diagnostics() {
       {warning, "IG-0612", "{0} names {1}, which is no folder: nothing is looked for there",
        "The option has no effect. Look for a misspelt name, or a folder that is not mounted.",
        "isogloss run part.nc --plugins misspelt"},
+      {note, "IG-0613", "{0} has no use for {1}: is the number right, and the column?",
+       "The table keeps these values, and a program that asks for them gets them, but no syntax acts on them. Where a "
+       "number or a column was mistaken, what was meant has its default.",
+       R"(<Parameter number="1302" Value="5"/>)"},
       {error, "IG-0516", "no syntax, dependency, dialect, field or diagnostic '{0}'",
        "`isogloss list` names what is there.", "isogloss inspect DrilingCycleSyntax"},
       {warning, "IG-0517", "stopped after {0} errors: --max-errors sets another limit",

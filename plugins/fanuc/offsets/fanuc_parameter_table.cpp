@@ -24,23 +24,24 @@ constexpr const char* shipped_parameters[] = {
     "5410|Value=0"};
 
 using Unit = ParameterUnit;
-constexpr NamedParameter named_parameters[] = {{rotary_type, "axis type"},
-                                               {rollover_bits, "rollover of a rotary axis"},
+using Scope = ParameterScope;
+constexpr NamedParameter named_parameters[] = {{rotary_type, "axis type", Unit::none, Scope::axes},
+                                               {rollover_bits, "rollover of a rotary axis", Unit::none, Scope::axes},
                                                {increment_system, "increment system"},
                                                {reset, "reset bits"},
-                                               {"1240", "first reference position", Unit::axis},
-                                               {"1241", "second reference position", Unit::axis},
-                                               {"1242", "third reference position", Unit::axis},
-                                               {"1243", "fourth reference position", Unit::axis},
-                                               {"1320", "upper travel limit", Unit::axis},
-                                               {"1321", "lower travel limit", Unit::axis},
-                                               {rapid_rate, "rapid rate", Unit::rate},
+                                               {"1240", "first reference position", Unit::axis, Scope::axes},
+                                               {"1241", "second reference position", Unit::axis, Scope::axes},
+                                               {"1242", "third reference position", Unit::axis, Scope::axes},
+                                               {"1243", "fourth reference position", Unit::axis, Scope::axes},
+                                               {"1320", "upper travel limit", Unit::axis, Scope::axes},
+                                               {"1321", "lower travel limit", Unit::axis, Scope::axes},
+                                               {rapid_rate, "rapid rate", Unit::rate, Scope::axes},
                                                {decimal_point, "numbers without a decimal point"},
                                                {arc_tolerance, "arc radius tolerance", Unit::increments},
                                                {cycle_bits, "canned cycle bits"},
                                                {high_speed_peck, "high-speed peck retraction", Unit::increments},
                                                {peck, "peck clearance", Unit::increments},
-                                               {shift_axis, "shift direction of boring"},
+                                               {shift_axis, "shift direction of boring", Unit::none, Scope::axes},
                                                {boring_return_override, "return override of boring", Unit::percent},
                                                {tapping_bits, "tapping bits"},
                                                {extraction_override, "extraction override of tapping", Unit::percent},
@@ -48,8 +49,23 @@ constexpr NamedParameter named_parameters[] = {{rotary_type, "axis type"},
                                                {coordinate_bits, "rotation and scaling bits"},
                                                {rotation_angle, "rotation angle", Unit::increments_of_angle},
                                                {scaling_factor, "scaling factor"},
-                                               {overrun, "overrun of G60", Unit::increments},
+                                               {overrun, "overrun of G60", Unit::increments, Scope::axes},
                                                {call_bits, "call bits"}};
+
+/// Parameters whose values are codes that call a program each.
+struct Calls {
+  char letter;
+  int first_parameter, count, first_program;
+};
+constexpr std::array calls{Calls{'G', 6050, 10, 9010}, Calls{'M', 6071, 9, 9001}, Calls{'M', 6080, 10, 9020}};
+
+bool is_call(std::string_view parameter) {
+  return std::any_of(calls.begin(), calls.end(), [&](const Calls& c) {
+    for (int i = 0; i < c.count; ++i)
+      if (parameter == std::to_string(c.first_parameter + i)) return true;
+    return false;
+  });
+}
 
 struct FanucParameterTable {
   static constexpr auto spec =
@@ -153,15 +169,11 @@ struct FanucParameterTable {
   /// negative in the table makes a modal call, and the answer is the negative number of its program. 6001 bit 5 TCS: T
   /// calls O9000.
   Answer program_of_code(std::string_view code) const {
-    struct Range {
-      char letter;
-      int first_parameter, count, first_program;
-    };
     if (code == "T") return bit(call_bits, 5) ? Answer(9000) : std::nullopt;
     if (code.size() < 2) return std::nullopt;
     const ig::Decimal called = ig::read_decimal(code, 1);
     if (!called.ok || called.value == 0) return std::nullopt;
-    for (const Range& r : {Range{'G', 6050, 10, 9010}, Range{'M', 6071, 9, 9001}, Range{'M', 6080, 10, 9020}})
+    for (const Calls& r : calls)
       for (int i = 0; i < r.count && code[0] == r.letter; ++i) {
         const Answer bound = number(std::to_string(r.first_parameter + i));
         if (bound == called.value) return r.first_program + i;
@@ -192,6 +204,8 @@ struct FanucParameterTable {
   Answer rapid_of(char axis) const { return of_axis(rapid_rate, axis); }
 
   std::optional<ig::RowMeaning> meaning_of(std::string_view row, std::string_view column) const {
+    if (is_call(row))
+      return column == "Value" ? std::optional(ig::RowMeaning{"code that calls a program", ""}) : std::nullopt;
     auto out = meaning_of_parameter(named_parameters, row, column, increment());
     if (out && row == scaling_factor) out->scale = scaling_unit();
     return out;

@@ -34,19 +34,24 @@ enum class ParameterUnit : std::uint8_t {
   rpm
 };
 
+/// Which columns of a parameter count: one value for the whole control, or one for each axis.
+enum class ParameterScope : std::uint8_t { control, axes };
+
 /// What a parameter is called in an explanation. What has the same effect on two controls has the same title.
 struct NamedParameter {
   std::string_view number, title;
   ParameterUnit unit = ParameterUnit::none;
+  ParameterScope scope = ParameterScope::control;
 };
 
-/// `increment` in mm; nothing where the number is not among the parameters.
+/// `increment` in mm; nothing where the number is not among the parameters, or has no use for the column.
 inline std::optional<RowMeaning> meaning_of_parameter(std::span<const NamedParameter> parameters,
                                                       std::string_view number, std::string_view column,
                                                       double increment, std::string_view prefix = {}) {
   const bool is_rotary = column == "A" || column == "B" || column == "C";
   for (const NamedParameter& p : parameters) {
     if (p.number != number) continue;
+    if ((p.scope == ParameterScope::control) != (column == "Value")) return std::nullopt;
     RowMeaning out{p.title, "", 1, prefix};
     switch (p.unit) {
       case ParameterUnit::none: break;
