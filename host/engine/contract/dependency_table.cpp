@@ -14,20 +14,18 @@ std::optional<std::size_t> DependencyTable::column(std::string_view name) const 
 }
 
 std::vector<DependencyTable::Cell>& DependencyTable::row(std::string_view name) {
-  const auto [where, added] = index_.emplace(std::string(name), names_.size());
-  if (added) {
-    names_.emplace_back(name);
-    std::vector<Cell> cells(dependency_->column_count);
-    for (std::uint32_t i = 0; i < dependency_->column_count; ++i) {
-      const char* const fallback = dependency_->columns[i].fallback;
-      if (fallback == nullptr) continue;
-      cells[i].text = fallback;
-      cells[i].number = parse_number(fallback).value_or(0);
-      cells[i].has_value = true;
-    }
-    cells_.push_back(std::move(cells));
+  if (const auto known = index_.find(name); known != index_.end()) return cells_[known->second];
+  index_.emplace(std::string(name), names_.size());
+  names_.emplace_back(name);
+  std::vector<Cell> cells(dependency_->column_count);
+  for (std::uint32_t i = 0; i < dependency_->column_count; ++i) {
+    const char* const fallback = dependency_->columns[i].fallback;
+    if (fallback == nullptr) continue;
+    cells[i].text = fallback;
+    cells[i].number = parse_number(fallback).value_or(0);
+    cells[i].has_value = true;
   }
-  return cells_[where->second];
+  return cells_.emplace_back(std::move(cells));
 }
 
 std::optional<double> DependencyTable::value(std::string_view name, std::uint32_t column) const {

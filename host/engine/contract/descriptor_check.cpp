@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <map>
-#include <set>
 #include <string_view>
 #include <vector>
 
@@ -62,7 +60,7 @@ void option_default(const ig_option_decl& option, const What& what) {
 
 void check_options(const ig_option_decl* options, std::uint32_t count, std::string_view owner) {
   array(options, count, most_declarations, member(owner, "options"));
-  std::set<std::string_view> names;
+  Seen names;
   for (std::uint32_t i = 0; i < count; ++i) {
     const ig_option_decl& option = options[i];
     const std::string_view id = name(option.name, [&] { return fmt::format("the name of {}'s option {}", owner, i); });
@@ -74,7 +72,7 @@ void check_options(const ig_option_decl* options, std::uint32_t count, std::stri
     text(option.unit, of("the unit of", what), longest_name);
     text(option.doc, of("the doc of", what));
     if (option.type == IG_OPTION_CHOICE) {
-      std::set<std::string_view> choices;
+      Seen choices;
       for (const std::string_view choice : split(text(option.choices, of("the choices of", what)), '|')) {
         if (choice.empty()) fault("{} has an empty choice", what());
         unique(choices, choice, [&] { return fmt::format("a choice of {},", what()); });
@@ -95,24 +93,57 @@ constexpr std::array<bool, 256> path_characters = [] {
   return all;
 }();
 
+/// Is it a path without a list? Sixteen bytes at a time, since a plugin declares thousands: each byte belongs to a part
+/// or is a point, and no point stands beside another or at an end.
+bool is_plain_path(std::string_view path) {
+  using Bytes [[gnu::vector_size(16)]] = unsigned char;
+  using Halves [[gnu::vector_size(16)]] = std::uint64_t;
+  const auto is_any = [](Bytes b) {
+    const auto halves = reinterpret_cast<Halves>(b);
+    return (halves[0] | halves[1]) != 0;
+  };
+  Bytes odd{}, points{};
+  const auto look_at = [&](const char* first) {  // and at the byte before them
+    Bytes x, before;
+    std::memcpy(&x, first, sizeof x);
+    std::memcpy(&before, first - 1, sizeof before);
+    const Bytes folded = x | 0x20;
+    const auto point = reinterpret_cast<Bytes>(x == '.');
+    const auto known = reinterpret_cast<Bytes>(((folded >= 'a') & (folded <= 'z')) | ((x >= '0') & (x <= '9')) |
+                                               (x == '_') | (x == '-') | (x == '~') | (x == '#'));
+    odd |= ~(known | point) | (point & reinterpret_cast<Bytes>(before == '.'));
+    points |= point;
+  };
+  if (path.empty() || path.back() == '.') return false;
+  // The first bytes stand behind a point, which refuses another one.
+  std::array<char, sizeof(Bytes) + 1> begin;
+  begin.fill('_');
+  begin[0] = '.';
+  std::memcpy(begin.data() + 1, path.data(), std::min(path.size(), sizeof(Bytes)));
+  look_at(begin.data() + 1);
+  for (std::size_t i = sizeof(Bytes); i + sizeof(Bytes) <= path.size(); i += sizeof(Bytes)) look_at(path.data() + i);
+  if (path.size() > sizeof(Bytes)) look_at(path.data() + path.size() - sizeof(Bytes));
+  return is_any(points) && !is_any(odd);
+}
+
 /// "Section.Field", "Parsing.CODE.1.X", "Section.List[].Section.Field".
 bool is_path(std::string_view path) {
-  std::size_t parts = 1, lists = 0;
-  bool is_empty = true;  // the part so far
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    if (path_characters[static_cast<unsigned char>(path[i])]) {
-      is_empty = false;
-    } else if (path[i] == '.' && !is_empty) {
-      ++parts;
-      is_empty = true;
-    } else if (parts > 1 && !is_empty && path.substr(i).starts_with("[].")) {
+  if (is_plain_path(path)) return true;
+  std::size_t parts = 0, lists = 0;
+  for (bool is_last = false; !is_last; ++parts) {
+    const std::size_t dot = path.find('.');
+    is_last = dot == std::string_view::npos;
+    std::string_view part = path.substr(0, dot);
+    if (parts > 0 && !is_last && part.ends_with("[]")) {
+      part.remove_suffix(2);
       ++lists;
-      ++i;
-    } else {
-      return false;
     }
+    bool is_whole = !part.empty();
+    for (const char c : part) is_whole &= path_characters[static_cast<unsigned char>(c)];
+    if (!is_whole) return false;
+    if (!is_last) path.remove_prefix(dot + 1);
   }
-  return parts > 1 && !is_empty && lists <= 1;
+  return parts > 1 && lists <= 1;
 }
 
 template <class What>
@@ -230,7 +261,7 @@ void check_dependency(const ig_dependency& dependency, std::string_view owner) {
     fault("{} names only one of row_element and row_key", owner);
   check_options(dependency.options, dependency.option_count, owner);
   array(dependency.columns, dependency.column_count, most_declarations, member(owner, "columns"));
-  std::set<std::string_view> columns;
+  Seen columns;
   if (dependency.row_element != nullptr) {
     name(dependency.row_element, member(owner, "row_element"));
     columns.insert(name(dependency.row_key, member(owner, "row_key")));
@@ -291,7 +322,7 @@ void check_places(std::string_view text, const What& what) {
 
 void check_diagnostics(const ig_plugin& plugin) {
   array(plugin.diagnostics, plugin.diagnostic_count, most_declarations, [] { return "diagnostics"; });
-  std::map<std::string_view, std::string_view> codes;  // with their texts
+  Seen codes;
   for (std::uint32_t i = 0; i < plugin.diagnostic_count; ++i) {
     const ig_diagnostic_decl& row = plugin.diagnostics[i];
     const std::string_view code = text(
@@ -302,8 +333,11 @@ void check_diagnostics(const ig_plugin& plugin) {
     const std::string_view shown = text(row.text, of("the text of", what));
     if (shown.empty()) fault("diagnostic {} has no text", code);
     check_places(shown, of("the text of", what));
-    if (const auto [known, is_new] = codes.emplace(code, shown); !is_new)
-      fault("diagnostic code '{}' is declared twice{}", code, known->second == shown ? "" : ", with two texts");
+    if (!codes.insert(code)) {
+      const ig_diagnostic_decl* first = plugin.diagnostics;
+      while (code != first->code) ++first;
+      fault("diagnostic code '{}' is declared twice{}", code, shown == first->text ? "" : ", with two texts");
+    }
     if (row.severity < IG_NOTE || row.severity > IG_ERROR)
       fault("diagnostic {} has the severity {}", code, row.severity);
     text(row.explanation, of("the explanation of", what));
@@ -350,7 +384,7 @@ void check_plugin(const ig_plugin& plugin) {
   if (plugin.syntax_count > 0 && plugin.syntaxes == nullptr) fault("syntaxes is null");
   if (plugin.dependency_count > 0 && plugin.dependencies == nullptr) fault("dependencies is null");
   check_reserved(plugin, plugin.reserved, "ig_plugin");
-  std::set<std::string_view> ids;
+  Seen ids;
   for (std::uint32_t i = 0; i < plugin.syntax_count; ++i) {
     const std::string_view syntax = part(plugin.syntaxes, i, "syntaxes");
     unique(ids, syntax, [] { return "the id"; });

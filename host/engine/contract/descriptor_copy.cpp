@@ -40,6 +40,8 @@ const T* PluginCopy::array(const T* first, std::uint32_t count, std::deque<std::
   if (first == nullptr || count == 0 || count > most_elements) return first;
   const std::uint32_t stride = first->struct_size;
   if (stride < sizeof(std::uint32_t) || stride > largest_struct) return first;
+  // An array of this host's own structs is used where it stands.
+  if (stride == sizeof(T)) return first;
   std::vector<T>& out = store.emplace_back(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const void* const from = reinterpret_cast<const char*>(first) + std::size_t{i} * stride;

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "export/text_buffer.hpp"
 #include "isogloss.h"
@@ -117,9 +117,24 @@ bool contains(const std::array<const char*, N>& names, std::string_view s) {
   return std::find(names.begin(), names.end(), s) != names.end();
 }
 
+/// Names that were seen, sorted in one piece of memory: lists of a plugin are short or sorted.
+class Seen {
+ public:
+  /// False: it was there.
+  bool insert(std::string_view name) {
+    const auto place = std::lower_bound(sorted_.begin(), sorted_.end(), name);
+    if (place != sorted_.end() && *place == name) return false;
+    sorted_.insert(place, name);
+    return true;
+  }
+
+ private:
+  std::vector<std::string_view> sorted_;
+};
+
 template <class What>
-void unique(std::set<std::string_view>& seen, std::string_view id, const What& what) {
-  if (!seen.insert(id).second) fault("{} '{}' is declared twice", what(), id);
+void unique(Seen& seen, std::string_view id, const What& what) {
+  if (!seen.insert(id)) fault("{} '{}' is declared twice", what(), id);
 }
 
 /// An array of structs has the stride of this host's struct: one that has grown needs a newer host.

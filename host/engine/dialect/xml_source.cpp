@@ -13,10 +13,11 @@
 namespace isogloss {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 std::size_t skip_blanks(std::string_view text, std::size_t i) {
-  return std::min(text.find_first_not_of(blanks, i), text.size());
+  while (i < text.size() && is_blank(text[i])) ++i;
+  return std::min(i, text.size());
 }
 
 /// Bytes of the UTF-8 sequence at `i`; 0: none is there.
@@ -86,21 +87,31 @@ struct RawAttribute {
   std::size_t begin, value_begin, value_end;
 };
 
-/// The attributes of the start tag whose name begins at `i`. The parser has found the tag well-formed.
-std::vector<RawAttribute> raw_attributes(std::string_view text, std::size_t i) {
-  std::vector<RawAttribute> all;
-  i = std::min(text.find_first_of(" \t\r\n/>", i), text.size());
-  for (;;) {
-    i = skip_blanks(text, i);
-    if (i >= text.size() || text[i] == '/' || text[i] == '>') return all;
-    const std::size_t name_end = std::min(text.find_first_of(" \t\r\n=", i), text.size());
-    const std::size_t quote = skip_blanks(text, std::min(text.find('=', name_end), text.size() - 1) + 1);
-    if (quote >= text.size()) return all;
-    const std::size_t close = std::min(text.find(text[quote], quote + 1), text.size());
-    all.push_back({text.substr(i, name_end - i), i, quote + 1, close});
-    i = close + 1;
+/// The attributes of the start tag whose name begins at `name`, one after the other. The parser has found the tag
+/// well-formed.
+class RawAttributes {
+ public:
+  RawAttributes(std::string_view text, std::size_t name) : text_(text), next_(name) {
+    while (next_ < text_.size() && !is_blank(text_[next_]) && !is_end(text_[next_])) ++next_;
   }
-}
+  std::optional<RawAttribute> next() {
+    const std::size_t begin = skip_blanks(text_, next_);
+    if (begin >= text_.size() || is_end(text_[begin])) return std::nullopt;
+    std::size_t name_end = begin;
+    while (name_end < text_.size() && !is_blank(text_[name_end]) && text_[name_end] != '=') ++name_end;
+    const std::size_t quote = skip_blanks(text_, std::min(text_.find('=', name_end), text_.size() - 1) + 1);
+    if (quote >= text_.size()) return std::nullopt;
+    const std::size_t close = std::min(text_.find(text_[quote], quote + 1), text_.size());
+    next_ = close + 1;
+    return RawAttribute{text_.substr(begin, name_end - begin), begin, quote + 1, close};
+  }
+
+ private:
+  static bool is_end(char c) { return c == '/' || c == '>'; }
+
+  std::string_view text_;
+  std::size_t next_;
+};
 
 }  // namespace
 
@@ -125,11 +136,14 @@ std::unique_ptr<XmlSource> XmlSource::open(const std::filesystem::path& file, co
   }
   const std::size_t limit = std::min(XmlBudget::file_bytes, budget.bytes_left);
   std::string text;
-  constexpr std::size_t piece = std::size_t{1} << 16;
+  // One byte more than the file has, so that its end is found with the first piece; memory that is not used costs time.
+  constexpr std::size_t largest_piece = std::size_t{1} << 16;
+  const std::uintmax_t file_size = is_pipe ? largest_piece : std::filesystem::file_size(file, error);
+  const auto piece = static_cast<std::size_t>(std::min<std::uintmax_t>(file_size, largest_piece - 1) + 1);
   while (in && text.size() <= limit) {
     const std::size_t size = text.size();
     text.resize(size + piece);
-    in.read(text.data() + size, piece);
+    in.read(text.data() + size, static_cast<std::streamsize>(piece));
     text.resize(size + static_cast<std::size_t>(in.gcount()));
   }
   if (text.size() > limit) {
@@ -187,6 +201,10 @@ std::unique_ptr<XmlSource> XmlSource::parse(std::string file, std::string text, 
 XmlSource::XmlSource(std::string file, std::string text) : file_(std::move(file)), text_(std::move(text)) {
   if (text_.starts_with("\xef\xbb\xbf")) text_.erase(0, 3);
   lines_.push_back(0);
+  if (text_.find('\r') == std::string::npos) {
+    for (std::size_t end = 0; (end = text_.find('\n', end)) != std::string::npos;) lines_.push_back(++end);
+    return;
+  }
   for (std::size_t i = 0; i < text_.size(); ++i) {
     const bool lone_return = text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n');
     if (text_[i] == '\n' || lone_return) lines_.push_back(i + 1);
@@ -207,8 +225,9 @@ Location XmlSource::at(pugi::xml_node node) const {
 }
 
 Location XmlSource::at(pugi::xml_node element, std::string_view attribute) const {
-  for (const RawAttribute& raw : raw_attributes(text_, static_cast<std::size_t>(element.offset_debug()))) {
-    if (raw.name == attribute) return at_offset(raw.begin);
+  RawAttributes attributes(text_, static_cast<std::size_t>(element.offset_debug()));
+  while (const std::optional<RawAttribute> raw = attributes.next()) {
+    if (raw->name == attribute) return at_offset(raw->begin);
   }
   return at(element);
 }
@@ -223,10 +242,14 @@ bool XmlSource::check_text(DiagnosticSink& sink) const {
   if (!encoding.empty() && encoding != "UTF-8" && encoding != "US-ASCII" && encoding != "ASCII")
     return fault(text_.find("encoding"), encoding);
   for (std::size_t i = 0; i < text_.size();) {
+    if (text_[i] >= 0x20) {  // most of a file is ASCII
+      ++i;
+      continue;
+    }
     const std::size_t size = utf8_length(text_, i);
     const auto byte = static_cast<unsigned char>(text_[i]);
     if (size == 0) return fault(i, fmt::format("a file with the byte 0x{:02X}", byte));
-    if (byte < 0x20 && blanks.find(text_[i]) == std::string_view::npos) {
+    if (byte < 0x20 && !is_blank(text_[i])) {
       sink.add(host_diagnostic("IG-0103", at_offset(i), {fmt::format("the control character 0x{:02X}", byte)}));
       return false;
     }
@@ -282,7 +305,9 @@ bool XmlSource::check_nodes(DiagnosticSink& sink) const {
 
 bool XmlSource::check_tag(pugi::xml_node element, DiagnosticSink& sink) const {
   std::set<std::string_view> names;
-  const auto attributes = raw_attributes(text_, static_cast<std::size_t>(element.offset_debug()));
+  std::vector<RawAttribute> attributes;
+  RawAttributes in_text(text_, static_cast<std::size_t>(element.offset_debug()));
+  while (const std::optional<RawAttribute> raw = in_text.next()) attributes.push_back(*raw);
   if (attributes.size() > XmlBudget::attributes) {
     const std::string limit = fmt::format("{} attributes", XmlBudget::attributes);
     sink.add(host_diagnostic("IG-0105", at(element), {"the element", limit}));

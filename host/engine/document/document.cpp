@@ -78,11 +78,14 @@ void Document::share(std::shared_ptr<const Wakes> wakes) {
   point_wake_ = wakes_->by_point.data();
 }
 
-void Document::silence(std::uint32_t bit) {
-  const std::uint64_t others = ~(std::uint64_t{1} << (bit % 64));
+void Document::silence(std::span<const std::uint32_t> bits) {
+  if (bits.empty()) return;
   Wakes own = *wakes_;
-  for (std::vector<std::uint64_t>* list : {&own.by_field, &own.by_point})
-    for (std::size_t i = bit / 64; i < list->size(); i += wake_words_) (*list)[i] &= others;
+  for (const std::uint32_t bit : bits) {
+    const std::uint64_t others = ~(std::uint64_t{1} << (bit % 64));
+    for (std::vector<std::uint64_t>* list : {&own.by_field, &own.by_point})
+      for (std::size_t i = bit / 64; i < list->size(); i += wake_words_) (*list)[i] &= others;
+  }
   share(std::make_shared<const Wakes>(std::move(own)));
 }
 

@@ -67,8 +67,13 @@ FieldPattern::FieldPattern(std::string_view text) {
   if (segments_.size() > 1 && segments_.back().find_first_of("*?") == std::string::npos)
     suffix_ = "." + segments_.back();
   if (!suffix_.empty()) last_ = suffix_.back();
-  ends_after_one_segment_ =
-      !suffix_.empty() && !digits(suffix_.substr(1)) && text.substr(prefix_size_) == "*" + suffix_;
+  const std::string_view wild = text.substr(prefix_size_);
+  wild_ = wild == "**"    ? Wild::all
+          : wild == "?"   ? Wild::letter
+          : wild == "*"   ? Wild::segment
+          : wild == "*.?" ? Wild::segment_and_letter
+                          : Wild::other;
+  if (!suffix_.empty() && !digits(suffix_.substr(1)) && wild == "*" + suffix_) wild_ = Wild::segment_and_suffix;
 }
 
 std::string_view FieldPattern::owner(std::string_view path) const {
@@ -80,26 +85,31 @@ std::string_view FieldPattern::owner(std::string_view path) const {
 
 bool FieldPattern::matches(std::string_view path, std::string_view unit) const {
   if (!any_unit_ && unit != unit_) return false;
-  const std::string_view pattern = path_;
-  if (!path.ends_with(suffix_) || !path.starts_with(pattern.substr(0, prefix_size_))) return false;
-  // The common endings of patterns need no segments.
-  const std::string_view wild = pattern.substr(prefix_size_);
+  if (!path.ends_with(suffix_) || !path.starts_with(std::string_view(path_).substr(0, prefix_size_))) return false;
   const std::size_t rest = path.size() - prefix_size_;
-  if (wild == "**") return rest > 0;
-  if (wild == "?") return rest == 1;
-  if (wild == "*" && path.find('.', prefix_size_) == std::string_view::npos) return rest > 0;
-  if (ends_after_one_segment_) {
-    const std::string_view middle = path.substr(prefix_size_, rest - std::min(rest, suffix_.size()));
-    const std::size_t dot = middle.find('.');
-    if (dot == std::string_view::npos) return !middle.empty();
-    // Only the decimals of a code stand after a point of the same segment.
-    if (dot + 1 == middle.size() || !digits(middle.substr(dot + 1, 1))) return false;
-  }
-  if (wild == "*.?") {
-    const std::size_t dot = path.find('.', prefix_size_);
-    if (dot == std::string_view::npos) return false;
-    // A single letter after the only point; a digit there may be the decimal of a code.
-    if (dot + 2 == path.size() && dot > prefix_size_ && (path.back() < '0' || path.back() > '9')) return true;
+  // The common endings of patterns need no segments.
+  switch (wild_) {
+    case Wild::all: return rest > 0;
+    case Wild::letter: return rest == 1;
+    case Wild::segment:
+      if (path.find('.', prefix_size_) == std::string_view::npos) return rest > 0;
+      break;
+    case Wild::segment_and_suffix: {
+      const std::string_view middle = path.substr(prefix_size_, rest - std::min(rest, suffix_.size()));
+      const std::size_t dot = middle.find('.');
+      if (dot == std::string_view::npos) return !middle.empty();
+      // Only the decimals of a code stand after a point of the same segment.
+      if (dot + 1 == middle.size() || !digits(middle.substr(dot + 1, 1))) return false;
+      break;
+    }
+    case Wild::segment_and_letter: {
+      const std::size_t dot = path.find('.', prefix_size_);
+      if (dot == std::string_view::npos) return false;
+      // A single letter after the only point; a digit there may be the decimal of a code.
+      if (dot + 2 == path.size() && dot > prefix_size_ && (path.back() < '0' || path.back() > '9')) return true;
+      break;
+    }
+    case Wild::other: break;
   }
   return match(segments_, 0, path);
 }

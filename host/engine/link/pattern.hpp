@@ -14,8 +14,8 @@ class FieldPattern {
   explicit FieldPattern(std::string_view text);
   bool is_literal() const { return literal_; }
   const std::string& path() const { return path_; }
-  /// False where the last letter alone says that the path does not match: so it is for most paths of a chain.
-  bool may_match(std::string_view path) const { return last_ == '\0' || (!path.empty() && path.back() == last_); }
+  /// The letter at the end of each path that matches; 0: any.
+  char last() const { return last_; }
   /// Does not look at owner_unit().
   bool matches(std::string_view path, std::string_view unit) const;
   /// The unit that owner(path) must have; empty: any.
@@ -31,9 +31,10 @@ class FieldPattern {
   bool any_unit_ = true;
   std::size_t prefix_size_ = 0;  // before the first wildcard
   bool literal_ = true;
-  std::string suffix_;                   // ".X" where the last of several segments has no wildcard
-  char last_ = '\0';                     // of the suffix
-  bool ends_after_one_segment_ = false;  // "*.X" after the prefix
+  std::string suffix_;  // ".X" where the last of several segments has no wildcard
+  char last_ = '\0';    // of the suffix
+  enum class Wild { all, letter, segment, segment_and_suffix, segment_and_letter, other };
+  Wild wild_ = Wild::other;  // what stands after the prefix
   std::vector<std::string> segments_;
 };
 

@@ -1,4 +1,5 @@
 // From declarations to ids: what a syntax gets for each field that it declares, and what it may do with it.
+#include <array>
 #include <map>
 
 #include "link/link_steps.hpp"
@@ -31,7 +32,30 @@ void report_unmet(Linking& linking, const LinkedSyntax& s, std::string_view opti
     if (given.name == option) linking.report("IG-0244", given.where, {s.element.alias, given.name, pattern});
 }
 
-std::vector<ig_field> expand(Linking& linking, FieldDrafts& drafts, const LinkedSyntax& s, const ig_field_decl& decl) {
+/// The fields that patterns may match. A chain has hundreds of patterns and more than a thousand fields, so each looks
+/// only at those that end like it, or have its type.
+class Matchable {
+ public:
+  explicit Matchable(const Layout& layout) {
+    for (ig_field f = 0; f < layout.fields.size(); ++f) {
+      const FieldInfo& info = layout.fields[f];
+      if (info.hidden || info.path.empty()) continue;
+      of_type_[info.type].push_back(f);
+      by_ending_[static_cast<unsigned char>(info.path.back())].push_back(f);
+    }
+  }
+  /// In the order of their ids; some of them have another type.
+  const std::vector<ig_field>& near(const FieldPattern& pattern, ig_type type) {
+    return pattern.last() != '\0' ? by_ending_[static_cast<unsigned char>(pattern.last())] : of_type_[type];
+  }
+
+ private:
+  std::map<ig_type, std::vector<ig_field>> of_type_;
+  std::array<std::vector<ig_field>, 256> by_ending_;
+};
+
+std::vector<ig_field> expand(Linking& linking, FieldDrafts& drafts, Matchable& matchable, const LinkedSyntax& s,
+                             const ig_field_decl& decl) {
   const Layout& layout = linking.out.layout;
   std::vector<ig_field> out;
   std::vector<bool> in(layout.fields.size());
@@ -49,10 +73,9 @@ std::vector<ig_field> expand(Linking& linking, FieldDrafts& drafts, const Linked
       continue;
     }
     bool is_met = false;
-    for (ig_field f = 0; f < in.size(); ++f) {
+    for (const ig_field f : matchable.near(pattern, decl.type)) {
       const FieldInfo& info = layout.fields[f];
-      if (info.hidden || info.type != decl.type || !pattern.may_match(info.path)) continue;
-      if (!pattern.matches(info.path, info.unit)) continue;
+      if (info.type != decl.type || !pattern.matches(info.path, info.unit)) continue;
       if (!pattern.owner_unit().empty() && unit_of(layout, drafts, pattern.owner(info.path)) != pattern.owner_unit())
         continue;
       add(f);
@@ -77,6 +100,7 @@ void permit(LinkedSyntax& s, std::uint32_t access, ig_field f) {
 void resolve_fields(Linking& linking, FieldDrafts& drafts, const FieldIds& ids) {
   const std::size_t mask_words = (linking.out.layout.fields.size() + 63) / 64;
   auto declared = drafts.declared().begin();
+  Matchable matchable(linking.out.layout);
   // Patterns that stand in descriptors mean the same for each syntax that has them.
   std::map<std::pair<std::string_view, ig_type>, std::vector<ig_field>> known;
   for (LinkedSyntax& s : linking.out.chain) {
@@ -91,10 +115,10 @@ void resolve_fields(Linking& linking, FieldDrafts& drafts, const FieldIds& ids) 
       if ((decl.access & IG_PATTERN) == 0) continue;
       s.expansions.resize(i + 1);
       if (*decl.path == '@') {
-        s.expansions[i] = expand(linking, drafts, s, decl);
+        s.expansions[i] = expand(linking, drafts, matchable, s, decl);
       } else {
         const auto [same, is_new] = known.try_emplace({decl.path, decl.type});
-        if (is_new) same->second = expand(linking, drafts, s, decl);
+        if (is_new) same->second = expand(linking, drafts, matchable, s, decl);
         s.expansions[i] = same->second;
       }
       for (const ig_field f : s.expansions[i]) permit(s, decl.access, f);

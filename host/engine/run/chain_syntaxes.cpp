@@ -12,6 +12,7 @@ namespace isogloss {
 
 void Chain::create_syntaxes() {
   steps_.resize(linked_.chain.size());
+  std::vector<std::uint32_t> idle;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const LinkedSyntax& s = linked_.chain[i];
     ig_link link{this, &s.options, &s, nullptr, {}, false};
@@ -32,7 +33,7 @@ void Chain::create_syntaxes() {
     }
     (s.syntax->look_ahead == 0 ? steps_[i].build : steps_[i].build_ahead) = link.is_idle ? nullptr : s.syntax->build;
     if (link.is_idle && i >= linked_.first_build)
-      document_.silence(static_cast<std::uint32_t>(wake_bit(i - linked_.first_build)));
+      idle.push_back(static_cast<std::uint32_t>(wake_bit(i - linked_.first_build)));
     const bool is_left = host_ == &ahead_table() && (s.syntax->scan_flags & IG_SCANS_AHEAD) == 0;
     steps_[i].scan = is_left && s.syntax->scan != nullptr ? leave_to_turn : s.syntax->scan;
     if (steps_[i].any_build() != nullptr && i >= linked_.inspection_begin) {
@@ -44,6 +45,7 @@ void Chain::create_syntaxes() {
       for (const char* c = s.syntax->triggers; *c != '\0'; ++c)
         scanners_[static_cast<unsigned char>(*c)].push_back(static_cast<std::uint16_t>(i));
   }
+  document_.silence(idle);
 }
 
 void Chain::watch_modal_state() {

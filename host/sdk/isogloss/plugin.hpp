@@ -195,6 +195,7 @@ template <class T>
 class SyntaxDescriptor {
  public:
   SyntaxDescriptor() {
+    recorded_.fields.reserve(16);  // most have as many
     {
       const Scope<Recorder> scope(recorder, &recorded_);
       [[maybe_unused]] const T prototype{};

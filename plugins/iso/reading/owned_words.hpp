@@ -12,20 +12,26 @@
 
 namespace iso {
 
-/// The words of one code, or of the block itself. At most 32.
+/// The words of one code, or of the block itself.
 struct WordRow {
   ig_field code = IG_NO_FIELD;
   std::string_view name;  ///< of the code, "G81"
   std::vector<ig_field> words;
   std::vector<char> letters;
   std::vector<std::string_view> units;
+  static constexpr std::size_t most = 32, usual = 8;
 
   ig_field word(char letter) const {
     const auto it = std::find(letters.begin(), letters.end(), letter);
     return it == letters.end() ? IG_NO_FIELD : words[static_cast<std::size_t>(it - letters.begin())];
   }
   void add(char letter, ig_field word_field, std::string_view unit) {
-    if (words.size() == 32) return;
+    if (words.size() == most) return;
+    if (words.empty()) {
+      letters.reserve(usual);
+      words.reserve(usual);
+      units.reserve(usual);
+    }
     letters.push_back(letter);
     words.push_back(word_field);
     units.push_back(unit);

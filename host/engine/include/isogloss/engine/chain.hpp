@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <unordered_map>
 
 #include "isogloss/engine/document.hpp"
 #include "isogloss/engine/linker.hpp"
@@ -51,7 +52,7 @@ class DependencyTable {
   std::vector<Cell>& row(std::string_view name);
   const ig_dependency* dependency_;
   std::vector<std::string> names_;
-  std::map<std::string, std::size_t, std::less<>> index_;
+  std::unordered_map<std::string, std::size_t, TextHash, std::equal_to<>> index_;
   std::vector<std::vector<Cell>> cells_;
   Listener listener_;
 };

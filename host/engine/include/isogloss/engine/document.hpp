@@ -311,8 +311,8 @@ class alignas(64) Document {
   void rewrite(ig_field f, ig_value v);
   /// From now on every change of the field adds these bits to `changes`.
   void watch(ig_field f, std::uint64_t changes);
-  /// From now on no write wakes the syntax of this bit.
-  void silence(std::uint32_t bit);
+  /// From now on no write wakes the syntaxes of these bits.
+  void silence(std::span<const std::uint32_t> bits);
   void move(ig_field from, ig_field to);
 
   /// Starts the next block: `previous` values are copied, modal fields are carried, the others are dropped.

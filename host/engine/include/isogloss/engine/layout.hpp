@@ -12,6 +12,12 @@
 
 namespace isogloss {
 
+/// Of maps whose keys are strings and which are asked with views.
+struct TextHash {
+  using is_transparent = void;
+  std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>{}(s); }
+};
+
 /// Interned names; ids from 1. One per chain, since a run may meet new names.
 class SymbolTable {
  public:
@@ -23,12 +29,8 @@ class SymbolTable {
   SymbolTable& operator=(const SymbolTable&) = delete;
 
  private:
-  struct Hash {
-    using is_transparent = void;
-    std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>{}(s); }
-  };
   std::vector<std::string_view> names_;  // into ids_' keys, whose nodes stay
-  std::unordered_map<std::string, ig_symbol, Hash, std::equal_to<>> ids_;
+  std::unordered_map<std::string, ig_symbol, TextHash, std::equal_to<>> ids_;
 };
 
 /// A value of this life is present again in the next block.
