@@ -9,14 +9,15 @@ struct HaasToolCenter {
                                    .after("ParameterizedFlagSyntax")
                                    .before("ToolCenterPointSyntax", "HaasCodeSyntax");
 
-  ig::Call g234_{{"G234"}, "H[]"};
+  ig::Call g234_{{"G234"}, "H[]", ig::read | ig::take | ig::wake};
   ig::Call g43_4_{{"G43.4"}, "H[]", ig::read | ig::write};
 
+  /// The words stay where they are in the text, so that whatever is said of G43.4 names G234.
   ig::Status build(ig::Block& b) {
-    const auto words = b.take(g234_);
-    if (!words) return ig::Status::unchanged;
-    b.set_call(g43_4_, 0);
-    if (const auto h = (*words)['H']) b.set_word(g43_4_, 0, 'H', *h);
+    ig_value unused;
+    if (!b.get(g234_.code(0), unused)) return ig::Status::unchanged;
+    b.move(g234_.code(0), g43_4_.code(0));
+    if (b.get(g234_.word(0, 'H'), unused)) b.move(g234_.word(0, 'H'), g43_4_.word(0, 'H'));
     return ig::Status::changed;
   }
 };
