@@ -159,6 +159,7 @@ static int sleeps(void) {
   for (;;) pause();
 }
 static int stops_itself(void) { return kill(getpid(), SIGSTOP); }
+static int closes_output(void) { return close(STDOUT_FILENO) + close(STDERR_FILENO); }
 static int closes_output_and_loops(void) {
   close(STDOUT_FILENO);
   close(STDERR_FILENO);
@@ -246,6 +247,7 @@ static const struct {
     DEED(loops_without_watch),
     DEED(sleeps),
     DEED(stops_itself),
+    DEED(closes_output),
     DEED(closes_output_and_loops),
     DEED(allocates),
     DEED(starts_threads),

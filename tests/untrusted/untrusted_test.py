@@ -193,6 +193,15 @@ class Untrusted(unittest.TestCase):
                 self.assertLess(time.monotonic() - begin, 6 * OPTIONS.seconds)
                 self.assertEqual(state_of(self.path), before)
 
+    def test_an_end_without_a_word_is_told(self):
+        done = self.hostile("closes_output", "load", "--untrusted")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("it ended with status 2 and without a word; no output file was written [IG-0683]", done.stderr)
+        # What goes to a file is whole, and diagnostics have their own.
+        done = self.hostile("closes_output", "load", "--untrusted", "-o", "out.jsonl", "--diagnostics-output", "said.txt")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn('"Event":"end"', (self.work / "out.jsonl").read_text())
+
     def test_memory_is_limited(self):
         done = self.hostile("allocates", "build", "--untrusted", "--max-memory", "200", "-o", "out.jsonl")
         self.assertTrue(done.returncode in (1, 3), done.stderr)

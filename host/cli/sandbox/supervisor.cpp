@@ -146,7 +146,8 @@ class Watch {
         limits_(limits),
         places_(limits.readable, process),
         out_(connections.out, STDOUT_FILENO),
-        errors_(connections.errors, STDERR_FILENO) {}
+        errors_(connections.errors, STDERR_FILENO),
+        has_one_pipe_(connections.errors < 0) {}
   End run(int socket);
 
  private:
@@ -160,6 +161,7 @@ class Watch {
   const Limits& limits_;
   ReadablePlaces places_;
   Relay out_, errors_;
+  bool has_one_pipe_;  // for both
   int listener_ = -1;
   End end_;
   bool is_ended_ = false;
@@ -245,6 +247,7 @@ End Watch::run(int socket) {
   }
   if (listener_ >= 0) ::close(listener_);
   end_.lost = out_.fault();
+  end_.has_said = errors_.bytes() > 0 || (has_one_pipe_ && out_.bytes() > 0);
   return end_;
 }
 

@@ -13,10 +13,11 @@ namespace isogloss::cli::sandbox {
 struct End {
   enum class How : std::uint8_t { by_itself, not_begun, refused, over_limit, by_signal };
   How how = How::by_itself;
-  int number = 0;    ///< exit status, or signal
-  std::string why;   ///< the call that was refused, the limit, or what kept it from beginning
-  int signal = 0;    ///< that the supervisor was sent meanwhile
-  std::string lost;  ///< why standard output took no more; empty where it did
+  int number = 0;         ///< exit status, or signal
+  std::string why;        ///< the call that was refused, the limit, or what kept it from beginning
+  int signal = 0;         ///< that the supervisor was sent meanwhile
+  std::string lost;       ///< why standard output took no more; empty where it did
+  bool has_said = false;  ///< something was printed where diagnostics go
 };
 
 struct Limits {

@@ -255,6 +255,9 @@ int conclude(const End& end, const SharedState& state, const UntrustedWork& work
     return internal_fault;
   }
   int out = std::max(status, std::clamp<int>(end.number, success, internal_fault));
+  // Whoever cannot start says why, unless a plugin has closed what it would be said to.
+  if (out == cannot_start && !end.has_said && work.common.diagnostics_output.empty())
+    reports.add("IG-0683", where, {"it ended with status " + std::to_string(out) + " and without a word"});
   if (!outputs.commit(reports)) out = std::max<int>(out, cannot_start);
   if (!end.lost.empty()) {
     reports.add("IG-0511", {"standard output"}, {end.lost});
