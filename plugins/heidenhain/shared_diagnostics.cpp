@@ -79,7 +79,7 @@ const ig::Diagnostics shared_diagnostics{
     ig::diagnostic(IG_ERROR, "HEI-0161", "cycle {0} is not executed: {1}",
                    "The cycle acts where it is defined, or it is not a cycle of the control itself. The whole "
                    "definition is recognised.",
-                   "5 CYCL DEF 11.1 SCL 0.5"),
+                   "5 CYCL DEF 26.1 X0.5"),
     ig::diagnostic(IG_ERROR, "HEI-0163",
                    "cycle {0} is not executed, because {1} is missing: add the parameter to its definition",
                    "The parameters of a cycle stand in its definition.", "5 CYCL DEF 200 DRILLING Q200=2"),

@@ -319,6 +319,21 @@ class State(unittest.TestCase):
                       "8 CYCL DEF 200 DRILLING ~", "  Q200=2 ;SET-UP ~"):
             self.assertIn(block, blocks)
 
+    def test_a_scaling_stands_before_a_shift_in_its_measure(self):
+        plane = "PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY"
+        for cycles, order in (
+                (("CYCL DEF 11.1 SCL 0.5", plane, "CYCL DEF 7.1 X+10"), ("SCL 0.5", plane, "7.1 X+10")),
+                ((plane, "CYCL DEF 7.1 X+10", "CYCL DEF 11.1 SCL 0.5"), (plane, "7.1 X+10", "SCL 0.5")),
+                (("CYCL DEF 7.1 X+10", "CYCL DEF 11.1 SCL 0.5"), ("7.1 X+10", "SCL 0.5")),
+                (("CYCL DEF 11.1 SCL 0.5", "CYCL DEF 7.1 X+10"), ("7.1 X+5", "SCL 0.5"))):
+            lines = ["BEGIN PGM P MM", "TOOL CALL 5 Z S2000 F300", *cycles, "L X+3 Y+4 Z+50 R0 FMAX", "L X+5", "M30",
+                     "END PGM P MM"]
+            text = "".join(f"{n} {line}\n" for n, line in enumerate(lines))
+            said = "\n".join(self.lines_of("p.h", text, "heidenhain", len(lines) - 2))
+            places = [said.index(block) for block in order]
+            self.assertEqual(places, sorted(places), said)
+            self.assertEqual(said.count("SCL"), 1, said)
+
     def test_a_cycle_of_several_parts_is_repeated_whole(self):
         text = ("0 BEGIN PGM P MM\n1 TOOL CALL 5 Z S2000 F300\n2 CYCL DEF 1.0 PECKING\n3 CYCL DEF 1.1 SET UP 2\n"
                 "4 CYCL DEF 1.2 DEPTH -20\n5 CYCL DEF 1.3 PECKG 5\n6 CYCL DEF 1.4 DWELL 0\n7 CYCL DEF 1.5 F100\n"

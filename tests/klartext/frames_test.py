@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Random chains of cycles 7, 8, 10 and 247 and of tilted planes against plain matrices; presets are rotated, too.
+"""Random chains of cycles 7, 8, 10, 11 and 247 and of tilted planes against plain matrices; presets are rotated, too.
 
   frames_test.py --isogloss PATH [--programs N] [--seed S]
 
-The model follows the manual: the datum shift counts from the preset, or along the axes that a mirror image or a
-rotation turned before it; mirror image and rotation act about it in the order of their definition, a plane turns about
-it, and a shift and a rotation in the plane act inside the plane. On a machine whose table A carries table C the
+The model follows the manual: the datum shift counts from the preset, or in the system that a mirror image, a rotation
+or a scaling made before it; mirror image and rotation act about it in the order of their definition, a plane turns
+about it, and a shift and a rotation in the plane act inside the plane. A scaling acts about the datum in force. On a machine whose table A carries table C the
 workpiece turns with them. Every move must end where the model does, to 1e-6 mm; after TURN and MOVE the rotary axes
 must set the plane upright, and MOVE must leave the tip where it was in the workpiece.
 """
@@ -53,6 +53,10 @@ def back(m, v):
     return [sum(m[k][i] * v[k] for k in range(3)) for i in range(3)]
 
 
+def sized(v, factor):
+    return [x * factor for x in v]
+
+
 def plus(*vectors):
     return [sum(c) for c in zip(*vectors)]
 
@@ -79,10 +83,11 @@ class Program:
         self.turned_before, self.mirrored_before = False, False  # the shift came after them
         self.plane = None  # a matrix
         self.inner_shift, self.inner_angle, self.inner_turned_before = [0.0] * 3, 0.0, False
+        self.scale, self.scaled_before, self.inner_scaled_before = 1.0, False, False
         self.write("BEGIN PGM CHAIN MM")
         self.write("TOOL CALL 1 Z S1000 F500")
         self.move(all_axes=True)
-        steps = [(30, self.move), (6, self.arc), (6, self.datum), (3, self.datum_preset), (4, self.rotation), (4, self.mirror),
+        steps = [(30, self.move), (6, self.arc), (6, self.datum), (3, self.datum_preset), (4, self.rotation), (4, self.mirror), (4, self.scaling),
                  (8, self.tilt), (3, self.machine_block), (3, self.reset)]
         for step in self.random.choices([s for _, s in steps], [w for w, _ in steps], k=blocks):
             step()
@@ -110,18 +115,22 @@ class Program:
 
     def way(self):
         """The shift along the axes of the preset."""
-        v = [-x if i < 2 and self.mirrored[i] and self.mirrored_before else x for i, x in enumerate(self.shift)]
+        v = sized(self.shift, self.scale if self.scaled_before else 1)
+        v = [-x if i < 2 and self.mirrored[i] and self.mirrored_before else x for i, x in enumerate(v)]
         if not self.turned_before:
             return v
         is_reversed = self.rotated_after_mirror and sum(self.mirrored) == 1
         return turned(about(2, -self.angle if is_reversed else self.angle), v)
 
     def frame(self):
+        """How the program's axes lie, where its zero is, and how long one of its millimetres is."""
         origin = self.way()
         if self.plane is not None:
-            v = turned(about(2, self.inner_angle), self.inner_shift) if self.inner_turned_before else self.inner_shift
+            v = sized(self.inner_shift, self.scale if self.inner_scaled_before else 1)
+            if self.inner_turned_before:
+                v = turned(about(2, self.inner_angle), v)
             origin = plus(origin, turned(self.plane, v))
-        return times(self.basic, self.matrix()), plus(self.preset, turned(self.basic, origin))
+        return times(self.basic, self.matrix()), plus(self.preset, turned(self.basic, origin)), self.scale
 
     # ---- steps
 
@@ -157,11 +166,12 @@ class Program:
         if self.plane is not None:
             shift = self.inner_shift
             if not any(shift):
-                self.inner_turned_before = self.inner_angle != 0
+                self.inner_turned_before, self.inner_scaled_before = self.inner_angle != 0, self.scale != 1
         else:
             shift = self.shift
             if not any(shift):
                 self.turned_before, self.mirrored_before = self.angle != 0, any(self.mirrored)
+                self.scaled_before = self.scale != 1
         self.write("CYCL DEF 7.0 DATUM SHIFT")
         for part, axis in enumerate(self.random.sample(range(3), self.random.randint(1, 3)), 1):
             step, v = self.random.random() < 0.3, self.value()
@@ -177,6 +187,25 @@ class Program:
         a, b, c = ROTATIONS.get(row, (0.0, 0.0, 0.0))
         self.basic = times(times(about(2, c), about(1, b)), about(0, a))
         self.turned_before, self.mirrored_before = False, False
+        self.scaled_to(1.0)
+
+    def scaled_to(self, factor):
+        self.scale = factor
+        if factor == 1:
+            self.scaled_before, self.inner_scaled_before = False, False
+
+    def scaling(self):
+        factor = self.random.choice((1.0, round(self.random.uniform(0.3, 3), 6)))
+        kind = self.random.choice(("cycle", "SCL", "RESET"))
+        if kind == "cycle":
+            self.write("CYCL DEF 11.0 SCALING")
+            self.write(f"CYCL DEF 11.1 SCL {factor:.6f}")
+        elif kind == "SCL":
+            self.write(f"TRANS SCALE SCL{factor:.6f}")
+        else:
+            factor = 1.0
+            self.write("TRANS SCALE RESET")
+        self.scaled_to(factor)
 
     def rotation(self):
         in_plane = self.plane is not None
@@ -238,6 +267,7 @@ class Program:
             for part, axis in enumerate("XYZ", 1):
                 self.write(f"CYCL DEF 7.{part} {axis}+0")
         self.inner_shift, self.inner_angle, self.inner_turned_before = [0.0] * 3, 0.0, False
+        self.inner_scaled_before = False
 
     def end_plane(self):
         self.reset_plane()
@@ -259,6 +289,7 @@ class Program:
                 self.write(f"CYCL DEF {cycle}.{part} {word}".rstrip())
         self.mirrored, self.angle, self.rotated_after_mirror = (False, False), 0.0, False
         self.shift, self.turned_before, self.mirrored_before = [0.0] * 3, False, False
+        self.scaled_before = False
 
 
 class Machine:
@@ -280,10 +311,10 @@ class Machine:
         p = minus(self.at, [0.0, 0.0, LENGTH])
         if self.is_led:
             p = self.from_table(p)
-        return back(frame[0], minus(p, frame[1]))
+        return sized(back(frame[0], minus(p, frame[1])), 1 / frame[2])
 
     def machine(self, frame, p):
-        p = plus(turned(frame[0], p), frame[1])
+        p = plus(turned(frame[0], sized(p, frame[2])), frame[1])
         if self.is_led:
             p = self.table(p)
         return plus(p, [0.0, 0.0, LENGTH])

@@ -8,6 +8,7 @@
 
 #include "cycles/hole_cycle.hpp"
 #include "cycles/hole_spindle.hpp"
+#include "frames/scaling.hpp"
 
 namespace heidenhain {
 
@@ -29,6 +30,7 @@ struct KlartextBoreMilling {
   ig::In<std::int64_t> tool_{"ToolHeightCompensation.OffsetId"};
   ig::In<double> delta_{"RadiusCompensation.Delta_mm"};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional, "The radius of the tool."};
+  ScalingInForce scaling_;
   ig::Signal said_{"CycleDefinition.~Said", ig::read | ig::write, ig::Life::modal};
 
   ig::Status build(ig::Block& b) { return cycle_.run(b, *this); }
@@ -37,7 +39,7 @@ struct KlartextBoreMilling {
     const auto diameter = cycle_.needed(b, c, 335), infeed = cycle_.needed(b, c, 334);
     if (!diameter || !infeed || !cycle_.drills(b, c)) return std::nullopt;
     const double overlap = cycle_.get_or(b, 370, 0), hole = std::fabs(*diameter);
-    const double tool = radius_of_tool(b);
+    const double tool = radius_of_tool(b) / scaling_.factor(b);
     radius_ = hole / 2 - tool;
     if (radius_ < -same_point_mm) return refuse(b, "the tool is wider than the hole");
     if (tool > 0 && overlap > 0 && radius_ > overlap * tool + same_point_mm) {

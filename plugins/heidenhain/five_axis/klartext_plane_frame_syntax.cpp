@@ -80,9 +80,9 @@ struct KlartextPlaneFrame {
   void shift(ig::Block& b) const {
     const bool is_first = !is_shifted(b);
     const ig::Vec3 now = words_.take(b, shift_.get(b));
-    if (is_first) shift_.begin(b, b.has(angle_), shift_.is_mirrored(b));
+    if (is_first) shift_.begin(b, b.has(angle_));
     shift_.set(b, now);
-    if (now == ig::Vec3{}) shift_.begin(b, false, false);
+    if (now == ig::Vec3{}) shift_.forget(b);
   }
 
   void lay(ig::Block& b) const {

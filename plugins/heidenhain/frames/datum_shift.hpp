@@ -6,6 +6,7 @@
 #include <isogloss/sdk.hpp>
 
 #include "frames/rotary_datum.hpp"
+#include "frames/scaling.hpp"
 
 namespace heidenhain {
 
@@ -42,17 +43,19 @@ class DatumWords {
   ig::Call call_{{"DATUM", "IDATUM"}, "X Y Z A B C"};
 };
 
-/// A shift that was defined after a rotation or a mirror image: it lies along the axes that these have turned.
+/// A shift that was defined after a rotation, a mirror image or a scaling: it lies along the axes, and in the measure,
+/// that these have made.
 class TurnedShift {
  public:
   explicit TurnedShift(const std::string& section)
       : shift_(section, ig::read | ig::write, {ig::Life::modal, "mm", "Datum shift as programmed."}),
         rotated_(section + ".IsRotated", {ig::Life::modal, "", "The shift came after the rotation."}),
-        mirrored_(section + ".IsMirrored", {ig::Life::modal, "", "The shift came after the mirror image."}) {}
+        mirrored_(section + ".IsMirrored", {ig::Life::modal, "", "The shift came after the mirror image."}),
+        scaled_(section + ".IsScaled", {ig::Life::modal, "", "The shift came after the scaling."}) {}
 
   /// True where a shift was set, even to zeros.
   bool was_set(const ig::Block& b) const { return b.get(shift_).mask != 0; }
-  bool is_here(const ig::Block& b) const { return b.has(rotated_) || b.has(mirrored_); }
+  bool is_here(const ig::Block& b) const { return b.has(rotated_) || b.has(mirrored_) || b.has(scaled_); }
   ig::Vec3 get(const ig::Block& b) const {
     const ig::PartialVec3 v = b.get(shift_);
     return {v.has(0) ? v.value.x : 0, v.has(1) ? v.value.y : 0, v.has(2) ? v.value.z : 0};
@@ -60,18 +63,27 @@ class TurnedShift {
   void set(ig::Block& b, const ig::Vec3& shift) const { b.set(shift_, shift); }
 
   /// Notes which transformations are in force when the shift of this block begins.
-  void begin(ig::Block& b, bool is_rotated, bool is_mirrored) const {
+  void begin(ig::Block& b, bool is_rotated) const {
     keep(b, rotated_, is_rotated);
-    keep(b, mirrored_, is_mirrored);
+    keep(b, mirrored_, b.has(mirror_term_));
+    keep(b, scaled_, scaling_.is_on(b));
+  }
+  /// A shift of zeros comes after none.
+  void forget(ig::Block& b) const {
+    for (const ig::Out<bool>* flag : {&rotated_, &mirrored_, &scaled_}) keep(b, *flag, false);
   }
   void end(ig::Block& b) const {
     for (std::size_t axis = 0; axis < 3; ++axis) b.erase(shift_.id(axis));
-    begin(b, false, false);
+    forget(b);
   }
 
-  /// The shift along the axes of the outer system. A rotation or a mirror image that has ended no longer precedes it.
+  /// The shift along the axes of the outer system. What has ended no longer precedes it.
   ig::Vec3 around(ig::Block& b, const Mat4* rotation) const {
     ig::Vec3 v = get(b);
+    if (b.has(scaled_)) {
+      if (!scaling_.is_on(b)) keep(b, scaled_, false);
+      v = scaling_.factor(b) * v;
+    }
     if (b.has(mirrored_)) {
       if (!b.has(mirror_term_)) keep(b, mirrored_, false);
       const ig::PartialVec3 mirror = b.get(mirror_);
@@ -85,8 +97,6 @@ class TurnedShift {
     return v;
   }
 
-  bool is_mirrored(const ig::Block& b) const { return b.has(mirror_term_); }
-
  private:
   static void keep(ig::Block& b, const ig::Out<bool>& flag, bool value) {
     if (value)
@@ -96,9 +106,10 @@ class TurnedShift {
   }
 
   ig::Xyz shift_;
-  ig::Out<bool> rotated_, mirrored_;
+  ig::Out<bool> rotated_, mirrored_, scaled_;
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
   ig::Xyz mirror_{"MirrorImage", ig::read};
+  ScalingInForce scaling_;
 };
 
 }  // namespace heidenhain

@@ -41,11 +41,12 @@ struct HeidenhainCoordinateOffset {
   TurnedShift turned_{"DatumShift"};
   ig::In<ig::Symbol> tilt_{"TiltTransform.Term"};
   ig::In<double> angle_{"TiltTransform.R"};
-  ig::InWhile<bool> while_rotated_{"DatumShift.IsRotated"}, while_mirrored_{"DatumShift.IsMirrored"};
+  ig::InWhile<bool> while_rotated_{"DatumShift.IsRotated"}, while_mirrored_{"DatumShift.IsMirrored"},
+      while_scaled_{"DatumShift.IsScaled"};
   PlaneInForce plane_;
   ig::Choice<Order> order_{"order", "programmed|shift-first", "programmed",
-                           "Along which axes a shift after a rotation or a mirror image lies: the axes that "
-                           "these have turned, or those of the preset."};
+                           "In which system a shift after a rotation, a mirror image or a scaling lies: the one "
+                           "that these have made, or that of the preset."};
   ig::Service<ig_work_offset_1> table_{"isogloss.work-offset/1", ig::Need::required, "The presets."};
   ig::Name g68_{"G68"};
 
@@ -120,7 +121,7 @@ struct HeidenhainCoordinateOffset {
   void shift(ig::Block& b) const {
     const ig::Vec3 old = turned_.is_here(b) ? turned_.get(b) : local_.get(b);
     const ig::Vec3 now = words_.take(b, old);
-    if (order_ == Order::programmed && old == ig::Vec3{}) turned_.begin(b, b.is(tilt_, g68_), turned_.is_mirrored(b));
+    if (order_ == Order::programmed && old == ig::Vec3{}) turned_.begin(b, b.is(tilt_, g68_));
     if (now == ig::Vec3{}) turned_.end(b);
     if (turned_.is_here(b))
       turned_.set(b, now);
@@ -128,7 +129,7 @@ struct HeidenhainCoordinateOffset {
       lay(b, now);
   }
 
-  /// Cycles 8 and 10 that precede the shift also turn the shift.
+  /// Cycles 8, 10 and 11 that precede the shift also act on the shift.
   void follow(ig::Block& b) const {
     const Mat4 rotation = turn_about(plane_(b).tool, b.get_or(angle_, 0.0));
     const ig::Vec3 to = turned_.around(b, b.is(tilt_, g68_) ? &rotation : nullptr);

@@ -1,12 +1,15 @@
-// Cycles that act where they are defined: datum shift, mirror image, dwell, rotation, preset, patterns of holes. Each
-// is executed here or passed to the syntax that executes it. TRANS DATUM, MIRROR, ROTATION and SCALE act like cycles 7,
-// 8, 10 and 11.
+// Cycles that act where they are defined: datum shift, mirror image, dwell, rotation, scaling, preset, patterns of
+// holes. Each is executed here or passed to the syntax that executes it. TRANS DATUM, MIRROR, ROTATION and SCALE act
+// like cycles 7, 8, 10 and 11.
 #include <algorithm>
+
+#include <isogloss/cnc/further_axes.hpp>
 
 #include "cycles/cycle_text.hpp"
 #include "cycles/pattern_cycle.hpp"
 #include "frames/datum_selection.hpp"
 #include "frames/mirror_and_rotation.hpp"
+#include "frames/scaling.hpp"
 #include "language/block_words.hpp"
 
 namespace heidenhain {
@@ -24,6 +27,7 @@ struct KlartextFrameCycle {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "HEI-0180",
                      "cycle 220 with Q365=1 goes from hole to hole in straight lines, not along the pitch circle"),
+      ig::diagnostic(IG_WARNING, "HEI-0192", "the scaling does not act on {0}: only X, Y and Z are scaled"),
   };
 
   CycleText text_{CycleText::Feeds::none};
@@ -32,6 +36,8 @@ struct KlartextFrameCycle {
   ig::Call datum_{{"DATUM", "IDATUM"}, "X Y Z A B C", ig::write};
   ig::Out<double> dwell_{"Dwell.Time"};
   MirrorAndRotation frame_;
+  Scaling scaling_;
+  AxisNames axes_;
   DatumSelection tables_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -80,8 +86,13 @@ struct KlartextFrameCycle {
       return;
     }
     put_word(b, preset_number_.id(), where.begin, where.end, *preset);
-    // The manual: a preset resets shift, mirror image and rotation; a tilted plane stays in force.
+    reset(b, where);
+  }
+
+  /// The manual: a preset resets shift, mirror image, rotation and scaling; a tilted plane stays in force.
+  void reset(ig::Block& b, ig::Where where) const {
     frame_.end(b, where);
+    scaling_.end(b);
   }
 
   /// PRESET SELECT #3 is cycle 247; further words and presets by name are not executed.
@@ -92,7 +103,7 @@ struct KlartextFrameCycle {
     const Value preset = text_.values().read(b, text, number + 1);
     if (!preset.ok || skip(text, preset.end) < end) return begin;
     put_word(b, preset_number_.id(), begin, preset.end, preset.number);
-    frame_.end(b, where_of_line(text, begin));
+    reset(b, where_of_line(text, begin));
     return end;
   }
 
@@ -120,7 +131,7 @@ struct KlartextFrameCycle {
         if (part > 0) rotate(b, text, number.end, where, "CYCL DEF 10");
         return;
       case 11:
-        if (part > 0 && scales(b, text, number.end, "CYCL DEF 11")) report("positions are not scaled");
+        if (part > 0 && !scale(b, text, number.end, "CYCL DEF 11")) report(no_scale);
         return;
       case 26:
         if (part > 0 && scales_axes(b, text, number.end)) report("positions are not scaled");
@@ -195,10 +206,22 @@ struct KlartextFrameCycle {
     if (seconds.ok) report_rest(b, text, seconds.end, "CYCL DEF 9");
   }
 
-  bool scales(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) const {
-    const Value v = text_.number_behind(b, text, i);
-    if (v.ok && v.number == 1) report_rest(b, text, v.end, of);
-    return !v.ok || v.number != 1;
+  static constexpr const char* no_scale =
+      "it needs a factor from 0.000001 to 99.999999, and the scaling stays as it is";
+
+  /// CYCL DEF 11.1 SCL 0.99; false where there is no factor.
+  bool scale(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) const {
+    const Value factor = text_.number_behind(b, text, i);
+    if (!factor.ok || !(factor.number >= Scaling::least && factor.number <= Scaling::most)) return false;
+    scaling_.set(b, factor.number);
+    if (factor.number != 1) report_further_axes(b, ig::Where::columns(skip(text, i), factor.end));
+    report_rest(b, text, factor.end, of);
+    return true;
+  }
+  /// The control scales U, V and W as well.
+  void report_further_axes(ig::Block& b, ig::Where where) const {
+    for (std::uint32_t axis = first_further_axis; is_further_axis(axis); ++axis)
+      if (!axes_.name(axis).empty() && !axes_.is_rotary(axis)) b.report(ig::diag("HEI-0192"), where, axes_.name(axis));
   }
 
   /// CYCL DEF 26.1 X1 YQ2 CCX+15 CCY+20: a factor for each axis, and the centre.
@@ -231,10 +254,12 @@ struct KlartextFrameCycle {
     const std::size_t first = skip(text, std::max({mirrored, turned, scaled}));
     const std::size_t reset = keyword(text, first, "RESET"), axis = keyword(text, first, "AXIS");
     if (scaled != begin) {
-      if (reset != first)
+      if (reset != first) {
+        scaling_.end(b);
         report_rest(b, text, reset, "TRANS SCALE RESET");
-      else if (scales(b, text, first, "TRANS SCALE"))
-        report_not_executed(b, text, begin, "positions are not scaled");
+      } else if (!scale(b, text, first, "TRANS SCALE")) {
+        report_not_executed(b, text, begin, no_scale);
+      }
     } else if (mirrored != begin) {
       frame_.mirror(b, text, reset != first ? end : axis, where, Mirroring::anew);
       if (reset != first) report_rest(b, text, reset, "TRANS MIRROR RESET");

@@ -18,7 +18,8 @@ bool DeparturePath::follow(ig::Block& b, KlartextWay& way, const KlartextDepartu
   };
   if (!tangent.complete() || std::fabs(t.length() - 1) > 1e-6) return refuse("no move in the plane came before");
   if (is_arc && b.has(mirror_term_)) return refuse("in a mirror image the tool leaves straight");
-  const double left = b.is(side_, g42_) ? -1 : 1, radius = is_beside ? b.get_or(tool_radius_, 0.0) : 0;
+  const double left = b.is(side_, g42_) ? -1 : 1,
+               radius = is_beside ? b.get_or(tool_radius_, 0.0) / scaling_.factor(b) : 0;
   if (is_arc && !(radius > 0)) return refuse("the tool has no radius, it leaves straight");
   const Point2 n{-t.v * left, t.u * left}, contour = way.start();
   const Point2 from{contour.u + radius * n.u, contour.v + radius * n.v};

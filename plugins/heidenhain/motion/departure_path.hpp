@@ -2,6 +2,7 @@
 /// RR. Lengths in mm, angles in degrees.
 #pragma once
 
+#include "frames/scaling.hpp"
 #include "motion/klartext_departure.hpp"
 #include "motion/klartext_way.hpp"
 
@@ -29,6 +30,7 @@ class DeparturePath {
   ig::In<double> tool_radius_{"RadiusCompensation.Radius_mm"};
   ig::Name g41_{"G41"}, g42_{"G42"};
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
+  ScalingInForce scaling_;
 };
 
 }  // namespace heidenhain

@@ -5,6 +5,7 @@
 #include <isogloss/cnc/tool_direction.hpp>
 #include <isogloss/cnc/travel_end.hpp>
 
+#include "frames/scaling.hpp"
 #include "motion/klartext_way.hpp"
 
 namespace heidenhain {
@@ -26,13 +27,15 @@ class ToolAxisRetract {
                          ig::read,
                          {ig::Life::block, "", "M140 MB MAX: along the tool axis to the end of the travel."}};
   ig::Word distance_{"Parsing.MB", ig::take, "mm", "M140 MB: how far along the tool axis."};
-  /// The way of 1 mm along the tool, in coordinates of the program: under M128 the rotary axes have turned it.
+  /// The way of 1 mm of the machine along the tool, in coordinates of the program: under M128 the rotary axes have
+  /// turned it.
   std::optional<ig::Vec3> unit_way(ig::Block& b, const KlartextWay& way, const ig::Vec3& here_in_program) const;
 
   TravelEnd travel_;
   ToolCenterMode tip_control_;
   ToolKinematics kinematics_;
   RotaryPosition rotary_{ig::read};
+  ScalingInForce scaling_;
 };
 
 }  // namespace heidenhain
