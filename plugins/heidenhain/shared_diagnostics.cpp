@@ -94,7 +94,7 @@ const ig::Diagnostics shared_diagnostics{
                    "A feed must be greater than 0, and so must an infeed for which 0 has no meaning. The feed of a "
                    "rigid tap is speed times pitch.",
                    "5 CYCL DEF 200 Q206=0"),
-    ig::diagnostic(IG_ERROR, "HEI-0171", "{0} is not executed: {1}",
+    ig::diagnostic(IG_ERROR, "HEI-0171", "'{0}' is not executed: {1}",
                    "PLANE SPATIAL, EULER, VECTOR, POINTS, AXIAL, RELATIV and RESET are executed.",
                    "5 PLANE PROJECTED PROPR+24 PROMIN+24 ROT+0 STAY"),
     ig::diagnostic(IG_ERROR, "HEI-0175",

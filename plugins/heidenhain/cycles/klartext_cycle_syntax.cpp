@@ -19,7 +19,7 @@ struct KlartextCycle {
                                    .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0168",
-                     "{0} defines no cycle that has a number: write CYCL DEF with the number of the cycle"),
+                     "'{0}' defines no cycle that has a number: write CYCL DEF with the number of the cycle"),
   };
 
   CycleText text_;
