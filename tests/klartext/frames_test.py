@@ -5,9 +5,10 @@
 
 The model follows the manual: the datum shift counts from the preset, or in the system that a mirror image, a rotation
 or a scaling made before it; mirror image and rotation act about it in the order of their definition, a plane turns
-about it, and a shift and a rotation in the plane act inside the plane. A scaling acts about the datum in force. On a machine whose table A carries table C the
-workpiece turns with them. Every move must end where the model does, to 1e-6 mm; after TURN and MOVE the rotary axes
-must set the plane upright, and MOVE must leave the tip where it was in the workpiece.
+about it, and a shift and a rotation in the plane act inside the plane. A scaling acts about the datum in force. On a
+machine whose table A carries table C the workpiece turns with them. Every move must end where the model does, to 1e-6
+mm; after TURN and MOVE the rotary axes must set the plane upright, and MOVE must leave the tip where it was in the
+workpiece.
 """
 import csv
 import math
@@ -87,8 +88,8 @@ class Program:
         self.write("BEGIN PGM CHAIN MM")
         self.write("TOOL CALL 1 Z S1000 F500")
         self.move(all_axes=True)
-        steps = [(30, self.move), (6, self.arc), (6, self.datum), (3, self.datum_preset), (4, self.rotation), (4, self.mirror), (4, self.scaling),
-                 (8, self.tilt), (3, self.machine_block), (3, self.reset)]
+        steps = [(30, self.move), (6, self.arc), (6, self.datum), (3, self.datum_preset), (4, self.rotation), (4, self.mirror),
+                 (4, self.scaling), (8, self.tilt), (3, self.machine_block), (3, self.reset)]
         for step in self.random.choices([s for _, s in steps], [w for w, _ in steps], k=blocks):
             step()
         self.write("M30")

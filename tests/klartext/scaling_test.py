@@ -7,6 +7,7 @@ alike, since the control scales positions, radii, increments and the dimensions 
 import argparse
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -31,6 +32,9 @@ L X{-40} Y{-40} Z{5} FMAX
 SIDES = """APPR LCT X{0} Y{-30} R{12} RL F200
 L X{30}
 RND R{8}
+L Y{10}
+RND R{1}
+L X{40}
 L Y{20}
 CHF {3}
 L X{0}
@@ -48,6 +52,13 @@ CYCL DEF 208 Q200={2} Q201={-8} Q206=150 Q334={2} Q203={0} Q204={30} Q335={30} Q
 L X{25} Y{25} FMAX M99
 CYCL DEF 209 Q200={2} Q201={-10} Q239=1.25 Q203={0} Q204={30} Q257={4} Q256={0.5} Q336=0 Q403=1
 L X{1} Y{2} FMAX M99
+CYCL DEF 201 Q200={2} Q201={-10} Q206=100 Q211=0.5 Q208=250 Q203={0} Q204={30}
+L X{3} Y{2} FMAX M99
+CYCL DEF 207 Q200={2} Q201={-9} Q239=1.5 Q203={0} Q204={30}
+L X{7} Y{2} FMAX M99
+PATTERN DEF POS1 (X{25} Y{33} Z{0}) POS2 (X{50} Y{75} Z{-1})
+CYCL CALL PAT FMAX
+CYCL DEF 221 Q225={15} Q226={15} Q237={10} Q238={8} Q242=3 Q243=2 Q224=15 Q200={2} Q203={3} Q204={50} Q301=1
 CYCL DEF 240 Q200={2} Q343=0 Q201={-3} Q344={0} Q206=100 Q211=0 Q203={0} Q204={30}
 CYCL DEF 220 Q216={10} Q217={20} Q244={40} Q245=0 Q246=360 Q247=0 Q241=5 Q200={2} Q203={0} Q204={30} Q301=1 Q365=0
 """
@@ -120,6 +131,20 @@ class Scaled(unittest.TestCase):
             for body in (CONTOUR, SIDES, HOLES):
                 with self.subTest(name, body=body[:9]):
                     self.assert_alike(before, behind + body, *tool)
+
+    def test_the_plane_alone(self):
+        """Nothing that is scaled along the tool axis: 2D contours, and levels as they stand."""
+        with tempfile.TemporaryDirectory() as folder:
+            dialect = pathlib.Path(folder, "plane.xml")
+            dialect.write_text('<Dialect xmlns="urn:isogloss:dialect:1" name="plane" extends="heidenhain"><Chain>'
+                               '<Configure syntax="KlartextFrameCycleSyntax" scaled-axes="plane"/></Chain></Dialect>')
+            tool = ("-d", dialect, "--set", "ToolOffsetTable.1.D=3")
+            flat = [re.sub(r"Z\{(\S+?)\}", r"Z\1", body) for body in (CONTOUR, SIDES)]
+            for body in flat:
+                self.assert_alike("", body + "L M140 MB 20\n", *tool)
+            self.assert_alike("", "CYCL DEF 7.0\nCYCL DEF 7.1 X{7}\nCYCL DEF 7.3 Z2\n" + flat[0], *tool)
+            upright = "CYCL DEF 11.1 SCL 0.5\nL X+10 Z+0 F300\nCC X+0 Z+0\nC X+0 Z+10 DR+\n"
+            self.assertTrue(any("C is no circle" in line for line in self.motions(upright, *tool)[1]))
 
     def test_a_mirror_image(self):
         self.assert_alike("", "CYCL DEF 8.0\nCYCL DEF 8.1 X\n" + CONTOUR + HOLES, "-d", "heidenhain",

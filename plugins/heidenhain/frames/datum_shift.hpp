@@ -82,7 +82,7 @@ class TurnedShift {
     ig::Vec3 v = get(b);
     if (b.has(scaled_)) {
       if (!scaling_.is_on(b)) keep(b, scaled_, false);
-      v = scaling_.factor(b) * v;
+      for (std::size_t axis = 0; axis < 3; ++axis) v[axis] *= scaling_.along(b, axis);
     }
     if (b.has(mirrored_)) {
       if (!b.has(mirror_term_)) keep(b, mirrored_, false);

@@ -18,6 +18,8 @@ using namespace ig::cnc;
 
 namespace {
 
+enum class ScaledAxes { all, plane };
+
 struct KlartextFrameCycle {
   static constexpr auto spec = ig::syntax("KlartextFrameCycleSyntax", "Cycles that act where they are defined.")
                                    .after("KlartextBlockNumberSyntax", "KlartextCommentSyntax", "KlartextCycleSyntax")
@@ -37,6 +39,9 @@ struct KlartextFrameCycle {
   ig::Out<double> dwell_{"Dwell.Time"};
   MirrorAndRotation frame_;
   Scaling scaling_;
+  ig::Choice<ScaledAxes> scaled_axes_{"scaled-axes", "all|plane", "all",
+                                      "What cycle 11 scales: X, Y and Z, or the axes of the plane (MP7410 = 1)."};
+  PlaneInForce plane_;
   AxisNames axes_;
   DatumSelection tables_;
 
@@ -213,7 +218,8 @@ struct KlartextFrameCycle {
   bool scale(ig::Block& b, std::string_view text, std::size_t i, std::string_view of) const {
     const Value factor = text_.number_behind(b, text, i);
     if (!factor.ok || !(factor.number >= Scaling::least && factor.number <= Scaling::most)) return false;
-    scaling_.set(b, factor.number);
+    const bool is_in_plane = scaled_axes_ == ScaledAxes::plane;
+    scaling_.set(b, factor.number, is_in_plane ? std::optional(plane_(b).tool) : std::nullopt);
     if (factor.number != 1) report_further_axes(b, ig::Where::columns(skip(text, i), factor.end));
     report_rest(b, text, factor.end, of);
     return true;

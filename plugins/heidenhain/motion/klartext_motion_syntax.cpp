@@ -33,6 +33,8 @@ struct KlartextMotion {
                      "the signs of IPA and DR differ, so {0} turns in the direction of DR: correct one of them"),
       ig::diagnostic(IG_ERROR, "HEI-0182",
                      "{0} would begin, turn or end more than 1000 km away, so the block does not move"),
+      ig::diagnostic(IG_ERROR, "HEI-0193",
+                     "{0} is no circle in the machine: the scaling acts on one axis of its plane and not on the other"),
   };
 
   ig::In<ig::Symbol> function_{"KlartextPath.Function", ig::wake};
@@ -52,6 +54,7 @@ struct KlartextMotion {
   ig::Codes of_machine_{{"G53"}, ig::read};
   ToolAxisRetract retract_;
   DeparturePath departure_;
+  ScalingInForce scaling_;
   ScaleAndMirror mirror_;
   ig::In<ig::Symbol> mirror_term_{"MirrorImage.Term"};
   ig::Out<bool> in_plane_{"KlartextPath.IsFeedInPlane", {ig::Life::block, "", "The move may end in a corner."}};
@@ -100,6 +103,8 @@ struct KlartextMotion {
     if (way.mask == 0 && function != c_) return ig::Status::changed;
     if (is_polar || has_steps != 0 || function == c_) put(b, way);
     note_corner(b, way.plane.tool, way.from, way.to);
+    if (is_arc(function) && !scaling_.keeps_circles(b, way.plane))
+      b.report(ig::diag("HEI-0193"), ig::Where::block(), b.text(function));
 
     if (function == c_ || function == cp_) return about_pole(b, way);
     if (function == ct_ || function == ctp_)
@@ -109,6 +114,10 @@ struct KlartextMotion {
     else
       keep_tangent(b, way.to - way.from);
     return ig::Status::changed;
+  }
+
+  bool is_arc(ig::Symbol function) const {
+    return function == c_ || function == cp_ || function == cr_ || function == ct_ || function == ctp_;
   }
 
   /// The start of the block in coordinates of the program, before mirror images, which come after this syntax.

@@ -31,7 +31,7 @@ bool ToolAxisRetract::follow(ig::Block& b, KlartextWay& way, const ig::Vec3& her
 std::optional<ig::Vec3> ToolAxisRetract::unit_way(ig::Block& b, const KlartextWay& way,
                                                   const ig::Vec3& here_in_program) const {
   ig::Vec3 along;
-  along[way.plane.tool] = 1 / scaling_.factor(b);
+  along[way.plane.tool] = 1 / scaling_.along(b, way.plane.tool);
   if (!tip_control_.is_on(b) || !kinematics_) return along;
   const auto direction = tool_direction(kinematics_, rotary_.get(b).or_else({}));
   const auto here = b.to_machine(here_in_program);

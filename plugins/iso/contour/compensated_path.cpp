@@ -189,18 +189,24 @@ void CompensatedPath::turn_corner(ig::Block& b, const ContourMotion& now, const 
   tool_.corner.count = 0;
 }
 
+void CompensatedPath::report_narrow_arc(ig::Block& b, const ContourMotion& now, double offset) const {
+  const double mm = ahead_.scale(b);
+  b.report(ig::diag("ISO-0466"), ig::Where::block(), mm * std::fabs(offset),
+           mm * (now.move.end - now.move.center).length());
+}
+
 bool CompensatedPath::goes_along_arc(ig::Block& b, const ContourMotion& now, Phase phase, const Point2& from,
                                      const Point2& to, double offset) const {
   if (phase != offsetting) return false;
   if (!now.move.fits(offset)) {
-    b.report(ig::diag("ISO-0466"), ig::Where::block(), std::fabs(offset), (now.move.end - now.move.center).length());
+    report_narrow_arc(b, now, offset);
     b.alarm();
     return false;
   }
   const double way = now.move.way(from, to, offset);
   if (way < -same_point_mm) {
     if (interference_ != Interference::ignore) {
-      b.report(ig::diag("ISO-0467"), ig::Where::block(), -way);
+      b.report(ig::diag("ISO-0467"), ig::Where::block(), ahead_.scale(b) * -way);
       b.alarm();
     }
     return false;

@@ -126,6 +126,8 @@ class CompensatedPath {
   /// A chamfer or a rounding is a move of the contour like others. After the move that cancels compensation, the tool
   /// centre is on it.
   void go_round_corner(ig::Block& b, const ContourMotion& corner, double offset);
+  /// An arc that is narrower than the tool; both radii as they are in the machine.
+  void report_narrow_arc(ig::Block& b, const ContourMotion& now, double offset) const;
   void report_too_far(ig::Block& b, const ContourAhead::Next& next) const;
 
   /// The rest of the corner before, then the move up to where it is left for the next.

@@ -74,7 +74,7 @@ void CompensatedPath::report_neck(ig::Block& b, const ContourMotion& now, double
   double deepest = least_cut_mm;
   for (std::size_t n = 2; n + leads_away < count; ++n)
     if (walls.are[n] && moves[n].fits(offset)) deepest = std::fmax(deepest, std::fabs(offset) - gap(path, moves[n]));
-  if (deepest > least_cut_mm) b.report(ig::diag("ISO-0496"), ig::Where::block(), deepest);
+  if (deepest > least_cut_mm) b.report(ig::diag("ISO-0496"), ig::Where::block(), ahead_.scale(b) * deepest);
 }
 
 ig::Status CompensatedPath::leave_out(ig::Block& b, const ContourMotion& now, double offset) {
@@ -83,7 +83,7 @@ ig::Status CompensatedPath::leave_out(ig::Block& b, const ContourMotion& now, do
     if (now.move.fits(offset))
       b.report(ig::diag("ISO-0476"), ig::Where::block());
     else
-      b.report(ig::diag("ISO-0466"), ig::Where::block(), std::fabs(offset), (now.move.end - now.move.center).length());
+      report_narrow_arc(b, now, offset);
     b.alarm();
   }
   const ToolSteps::Manner manner = take_event(b);

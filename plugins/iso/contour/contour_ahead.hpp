@@ -40,6 +40,15 @@ class ContourAhead {
     const double radius = b.get_or(radius_, 0.0) / scale(b);
     return is_left ? radius : -radius;
   }
+  /// The length in the machine of one mm of the program. Digits below 1e-9 are noise of a rotated frame.
+  double scale(ig::Block& b) const {
+    ig::Vec3 axis;
+    axis[plane_(b).first] = 1;
+    const auto origin = b.to_machine({}), unit = b.to_machine(axis);
+    if (!origin || !unit) return 1;
+    const double scale = std::round(length(*unit - *origin) * 1e9) / 1e9;
+    return scale > 0 ? scale : 1;
+  }
 
   Next next(ig::Block& b, const PlaneAxes& plane, std::int64_t rests_allowed) const {
     Next next;
@@ -119,16 +128,6 @@ class ContourAhead {
 
  private:
   using Break = std::optional<CornerBreakState::Corner>;
-
-  /// The length in the machine of one mm of the program. Digits below 1e-9 are noise of a rotated frame.
-  double scale(ig::Block& b) const {
-    ig::Vec3 axis;
-    axis[plane_(b).first] = 1;
-    const auto origin = b.to_machine({}), unit = b.to_machine(axis);
-    if (!origin || !unit) return 1;
-    const double scale = std::round(length(*unit - *origin) * 1e9) / 1e9;
-    return scale > 0 ? scale : 1;
-  }
 
   /// The move of a later block, mapped into the frame of this block.
   static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {
