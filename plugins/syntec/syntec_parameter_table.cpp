@@ -24,21 +24,14 @@ constexpr const char* shipped[] = {"17|Value=2",   "1240|X=0|Y=0|Z=0", "1420|X=2
 
 using Unit = ParameterUnit;
 using Scope = ParameterScope;
-constexpr NamedParameter named_parameters[] = {{control_precision, "increment system"},
-                                               {axis_type, "axis type", Unit::none, Scope::axes},
-                                               {axis_name, "axis name", Unit::none, Scope::axes},
-                                               {"1240", "first reference position", Unit::axis, Scope::axes},
-                                               {"1241", "second reference position", Unit::axis, Scope::axes},
-                                               {"1242", "third reference position", Unit::axis, Scope::axes},
-                                               {"1243", "fourth reference position", Unit::axis, Scope::axes},
-                                               {"1320", "upper travel limit", Unit::axis, Scope::axes},
-                                               {"1321", "lower travel limit", Unit::axis, Scope::axes},
-                                               {rapid_rate, "rapid rate", Unit::rate, Scope::axes},
-                                               {t_macro, "call of the T macro"},
-                                               {decimal_point, "numbers without a decimal point"},
-                                               {spindle_limit, "highest spindle speed", Unit::rpm},
-                                               {peck_retract, "peck clearance", Unit::increments},
-                                               {compensation_type, "start-up of radius compensation"}};
+constexpr auto named_parameters = with_axis_parameters({{control_precision, "increment system"},
+                                                        {axis_type, "axis type", Unit::none, Scope::axes},
+                                                        {axis_name, "axis name", Unit::none, Scope::axes},
+                                                        {t_macro, "call of the T macro"},
+                                                        {decimal_point, "numbers without a decimal point"},
+                                                        {spindle_limit, "highest spindle speed", Unit::rpm},
+                                                        {peck_retract, "peck clearance", Unit::increments},
+                                                        {compensation_type, "start-up of radius compensation"}});
 
 struct SyntecParameterTable {
   static constexpr auto spec = ig::dependency("SyntecParameterTable", "Parameters of a Syntec control, by number.")

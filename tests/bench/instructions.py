@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Counts the instructions of a block of each workload, of a start, and what idle syntaxes add: times are noisy, counts are
-not.
+"""Counts the instructions of a block of each workload, of a start, and what idle syntaxes add: times are noisy, counts
+are not.
 
   instructions.py --isogloss FILE --tools DIR --idle DIR [--compiler NAME] [--write]
 
-Fails where a block takes over 3 % more instructions than instructions.json says, or a start over 5 %, which also loads the
-system's libraries; or where idle syntaxes cost more than their limits. --write writes instructions.json. The counts hold for one compiler: for another, only the idle syntaxes are
-judged.
+Fails where a block takes over 3 % more instructions than instructions.json says, or a start over 5 %, which also loads
+the system's libraries; or where idle syntaxes cost more than their limits. --write writes instructions.json. The counts
+hold for one compiler: for another, only the idle syntaxes are judged.
 """
 import argparse
 import json

@@ -423,6 +423,7 @@ class OddFiles(Command):
         self.assertEqual(told("--format", "binary", "--exact", "-o", self.path / "a.igm"), ["--exact"])
         self.assertEqual(told("--tolerance", "0.01", "--header"), ["--tolerance"])
         self.assertEqual(told("--emit", "canonical", "--tolerance", "0.01", "--exact", "--zero-moves"), [])
+        self.assertEqual(told("--emit", "canonical", "--json"), ["--json"])
 
     def test_a_number_that_is_too_large_names_the_largest(self):
         said = self.run_it("run", self.program, "--watchdog", "100000000000", status=2).stderr

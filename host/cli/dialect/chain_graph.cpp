@@ -11,9 +11,7 @@ namespace isogloss::cli {
 namespace {
 
 std::string listed(const Json& names, std::size_t most) {
-  std::string out;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i) out += (i == 0 ? "" : ", ") + names[i].get<std::string>();
-  return names.size() > most ? out + fmt::format(" and {} more", names.size() - most) : out;
+  return isogloss::listed(names.get<std::vector<std::string>>(), most);
 }
 
 std::string drawn_place(const Json& syntax) {

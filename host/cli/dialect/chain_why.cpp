@@ -21,10 +21,7 @@ std::string reason(const Relation& r, const std::string& first, const std::strin
       return r.names.size() > 1 ? "both declare it" : fmt::format("{} declares it", r.names[0]);
     case Relation::Kind::field: {
       constexpr std::size_t most = 4;
-      std::string fields;
-      for (std::size_t i = 0; i < std::min(most, r.names.size()); ++i) fields += (i == 0 ? "" : ", ") + r.names[i];
-      if (r.names.size() > most) fields += fmt::format(" and {} more", r.names.size() - most);
-      return fmt::format("{} writes {}, which {} reads", first, fields, second);
+      return fmt::format("{} writes {}, which {} reads", first, listed(r.names, most), second);
     }
     case Relation::Kind::code: return fmt::format("both take {}", fmt::join(r.names, ", "));
   }

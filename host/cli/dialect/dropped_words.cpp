@@ -34,13 +34,6 @@ std::set<std::string> taken_by(const LinkedDialect& linked) {
   return out;
 }
 
-std::string dropped_list(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 8;
-  std::string out;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) out += (i == 0 ? "" : ", ") + names[i];
-  return names.size() > most ? out + fmt::format(" and {} more", names.size() - most) : out;
-}
-
 }  // namespace
 
 std::vector<Diagnostic> dropped_words(const LinkedDialect& linked, Session& session) {
@@ -63,7 +56,7 @@ std::vector<Diagnostic> dropped_words(const LinkedDialect& linked, Session& sess
     for (const std::string& name : taken_by(*base, *removed))
       if (!taken.contains(name)) lost.push_back(name);
     if (!lost.empty())
-      out.push_back(host_diagnostic("IG-0611", edit.where, {dropped_list(lost), edit.anchor, base->dialect.name}));
+      out.push_back(host_diagnostic("IG-0611", edit.where, {listed(lost, 8), edit.anchor, base->dialect.name}));
   }
   return out;
 }

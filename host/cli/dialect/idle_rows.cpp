@@ -1,7 +1,5 @@
 #include "dialect/idle_rows.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <tuple>
 
@@ -10,12 +8,6 @@
 namespace isogloss::cli {
 
 namespace {
-
-bool tells_meanings(const ig_dependency& dependency) {
-  for (const char* const* id = dependency.provides; id != nullptr && *id != nullptr; ++id)
-    if (std::string_view(*id) == IG_ROW_MEANING_SERVICE) return true;
-  return false;
-}
 
 struct IdleCell {
   Location where;
@@ -40,32 +32,29 @@ std::vector<IdleCell> idle_cells(const Chain& chain, std::size_t dependency, con
   return idle.empty() ? idle : std::vector<IdleCell>{{row.where, key->value}};
 }
 
-std::string list_of(const std::vector<IdleCell>& cells) {
-  constexpr std::size_t most = 8;
-  std::string out;
-  for (std::size_t i = 0; i < std::min(cells.size(), most); ++i) out += (i == 0 ? "" : ", ") + cells[i].name;
-  return cells.size() > most ? out + fmt::format(" and {} more", cells.size() - most) : out;
-}
-
 }  // namespace
 
 std::vector<Diagnostic> idle_rows(const LinkedDialect& linked, const Chain& chain) {
   std::vector<Diagnostic> out;
-  for (std::size_t i = 0; i < linked.dependencies.size(); ++i) {
-    const LinkedDependency& table = linked.dependencies[i];
-    if (!tells_meanings(*table.dependency)) continue;
-    std::vector<IdleCell> idle;
-    for (const TableRow& row : table.element.rows) {
-      std::vector<IdleCell> cells = idle_cells(chain, i, *table.dependency, row);
-      idle.insert(idle.end(), cells.begin(), cells.end());
+  for (const Provision& meanings : provisions(linked)) {
+    if (meanings.service != IG_ROW_MEANING_SERVICE) continue;
+    for (const std::size_t i : meanings.dependencies) {
+      const LinkedDependency& table = linked.dependencies[i];
+      std::vector<IdleCell> idle;
+      for (const TableRow& row : table.element.rows) {
+        std::vector<IdleCell> cells = idle_cells(chain, i, *table.dependency, row);
+        idle.insert(idle.end(), cells.begin(), cells.end());
+      }
+      if (idle.empty()) continue;
+      // In the order of the file: rows that a machine changes stand where its dialect has them.
+      std::stable_sort(idle.begin(), idle.end(), [](const IdleCell& a, const IdleCell& b) {
+        return std::tie(a.where.file, a.where.line, a.where.column) <
+               std::tie(b.where.file, b.where.line, b.where.column);
+      });
+      std::vector<std::string> names;
+      for (const IdleCell& cell : idle) names.push_back(cell.name);
+      out.push_back(host_diagnostic("IG-0613", idle.front().where, {table.element.alias, listed(names, 8)}));
     }
-    // In the order of the file: rows that a machine changes stand where its dialect has them.
-    std::stable_sort(idle.begin(), idle.end(), [](const IdleCell& a, const IdleCell& b) {
-      return std::tie(a.where.file, a.where.line, a.where.column) <
-             std::tie(b.where.file, b.where.line, b.where.column);
-    });
-    if (!idle.empty())
-      out.push_back(host_diagnostic("IG-0613", idle.front().where, {table.element.alias, list_of(idle)}));
   }
   return out;
 }

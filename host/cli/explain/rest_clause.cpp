@@ -143,11 +143,7 @@ std::string no_change(const Facts& facts) {
 
 }  // namespace
 
-std::string list_of(const std::vector<std::string>& parts) {
-  std::string out;
-  for (std::size_t i = 0; i < std::min(parts.size(), most_listed); ++i) out += (i == 0 ? "" : ", ") + parts[i];
-  return parts.size() > most_listed ? out + fmt::format(" and {} more", parts.size() - most_listed) : out;
-}
+std::string list_of(const std::vector<std::string>& parts) { return listed(parts, most_listed); }
 
 std::string series_of(const std::vector<std::string>& parts) {
   std::string out;

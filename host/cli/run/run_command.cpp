@@ -74,7 +74,7 @@ void RunCommand::report_idle_options(const CommandLine& line, Session& session) 
   };
   tell("--format", !is_empty, "");
   tell("--output", !is_empty, "");
-  tell("--json", !is_empty || summary, "");
+  tell("--json", emit == "motions" || emit == "blocks" || summary, "the canonical program is no JSON");
   tell("--header", emit == "motions" && format == "jsonl", "only motions as JSON Lines begin with one");
   tell("--exact", has_moves && format != "binary", "these numbers are always exact");
   tell("--zero-moves", has_moves, "blocks are written whether they move or not");

@@ -136,15 +136,16 @@ std::unique_ptr<XmlSource> XmlSource::open(const std::filesystem::path& file, co
   }
   const std::size_t limit = std::min(XmlBudget::file_bytes, budget.bytes_left);
   std::string text;
-  // One byte more than the file has, so that its end is found with the first piece; memory that is not used costs time.
-  constexpr std::size_t largest_piece = std::size_t{1} << 16;
-  const std::uintmax_t file_size = is_pipe ? largest_piece : std::filesystem::file_size(file, error);
-  const auto piece = static_cast<std::size_t>(std::min<std::uintmax_t>(file_size, largest_piece - 1) + 1);
+  // The first piece is one byte longer than the file, so that its end is found with it: unused memory costs time.
+  constexpr std::size_t usual_piece = std::size_t{1} << 16;
+  const std::uintmax_t file_size = is_pipe ? usual_piece : std::filesystem::file_size(file, error);
+  auto piece = static_cast<std::size_t>(std::min<std::uintmax_t>(file_size, usual_piece - 1) + 1);
   while (in && text.size() <= limit) {
     const std::size_t size = text.size();
     text.resize(size + piece);
     in.read(text.data() + size, static_cast<std::streamsize>(piece));
     text.resize(size + static_cast<std::size_t>(in.gcount()));
+    piece = usual_piece;  // of a file that grows, or does not tell its size
   }
   if (text.size() > limit) {
     sink.add(host_diagnostic("IG-0105", asked_at, {file.string(), fmt::format("{} bytes", limit)}));
@@ -242,12 +243,12 @@ bool XmlSource::check_text(DiagnosticSink& sink) const {
   if (!encoding.empty() && encoding != "UTF-8" && encoding != "US-ASCII" && encoding != "ASCII")
     return fault(text_.find("encoding"), encoding);
   for (std::size_t i = 0; i < text_.size();) {
-    if (text_[i] >= 0x20) {  // most of a file is ASCII
+    const auto byte = static_cast<unsigned char>(text_[i]);
+    if (byte >= 0x20 && byte < 0x80) {  // most of a file
       ++i;
       continue;
     }
     const std::size_t size = utf8_length(text_, i);
-    const auto byte = static_cast<unsigned char>(text_[i]);
     if (size == 0) return fault(i, fmt::format("a file with the byte 0x{:02X}", byte));
     if (byte < 0x20 && !is_blank(text_[i])) {
       sink.add(host_diagnostic("IG-0103", at_offset(i), {fmt::format("the control character 0x{:02X}", byte)}));

@@ -159,16 +159,15 @@ class Acquaintance {
   std::vector<std::bitset<longest_chain>> behind_;
 };
 
-/// The names with commas; a long list ends with the number of the others.
 std::string codes_of(const Layout& layout, const std::vector<ig_field>& fields) {
   constexpr std::size_t most = 5;
   constexpr std::string_view flags = "Parsing.Flags.";
-  std::string out;
-  for (std::size_t i = 0; i < std::min(fields.size(), most); ++i) {
-    const std::string& path = layout.fields[fields[i]].path;
-    out += (i == 0 ? "" : ", ") + path.substr(path.starts_with(flags) ? flags.size() : path.find('.') + 1);
+  std::vector<std::string> names;
+  for (const ig_field field : fields) {
+    const std::string& path = layout.fields[field].path;
+    names.push_back(path.substr(path.starts_with(flags) ? flags.size() : path.find('.') + 1));
   }
-  return fields.size() > most ? out + fmt::format(" and {} more", fields.size() - most) : out;
+  return listed(names, most);
 }
 
 /// Codes that two syntaxes take are answered twice, unless one of them was written with the other in mind.

@@ -65,9 +65,7 @@ std::string wakes_of(const LinkedDialect& linked, const LinkedSyntax& s) {
     return false;
   });
   if (paths.empty()) return "anything that would wake it";
-  const std::size_t more = paths.size() > most ? paths.size() - most : 0;
-  paths.resize(paths.size() - more);
-  return fmt::format("{}", fmt::join(paths, ", ")) + (more > 0 ? fmt::format(" and {} more", more) : "");
+  return listed(paths, most);
 }
 
 void review_options(const std::string& alias, const ig_option_decl* declared, std::uint32_t count,

@@ -61,6 +61,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string listed(const std::vector<std::string>& names, std::size_t most) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i) out += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > most ? out + " and " + std::to_string(names.size() - most) + " more" : out;
+}
+
 std::string nearest_name(std::string_view name, const std::vector<std::string>& names) {
   // Lists of any length come from files. The names examined in the first milliseconds are enough for a hint.
   std::size_t comparisons_left = 10'000'000;

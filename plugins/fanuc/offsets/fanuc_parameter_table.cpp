@@ -25,32 +25,26 @@ constexpr const char* shipped_parameters[] = {
 
 using Unit = ParameterUnit;
 using Scope = ParameterScope;
-constexpr NamedParameter named_parameters[] = {{rotary_type, "axis type", Unit::none, Scope::axes},
-                                               {rollover_bits, "rollover of a rotary axis", Unit::none, Scope::axes},
-                                               {increment_system, "increment system"},
-                                               {reset, "reset bits"},
-                                               {"1240", "first reference position", Unit::axis, Scope::axes},
-                                               {"1241", "second reference position", Unit::axis, Scope::axes},
-                                               {"1242", "third reference position", Unit::axis, Scope::axes},
-                                               {"1243", "fourth reference position", Unit::axis, Scope::axes},
-                                               {"1320", "upper travel limit", Unit::axis, Scope::axes},
-                                               {"1321", "lower travel limit", Unit::axis, Scope::axes},
-                                               {rapid_rate, "rapid rate", Unit::rate, Scope::axes},
-                                               {decimal_point, "numbers without a decimal point"},
-                                               {arc_tolerance, "arc radius tolerance", Unit::increments},
-                                               {cycle_bits, "canned cycle bits"},
-                                               {high_speed_peck, "high-speed peck retraction", Unit::increments},
-                                               {peck, "peck clearance", Unit::increments},
-                                               {shift_axis, "shift direction of boring", Unit::none, Scope::axes},
-                                               {boring_return_override, "return override of boring", Unit::percent},
-                                               {tapping_bits, "tapping bits"},
-                                               {extraction_override, "extraction override of tapping", Unit::percent},
-                                               {peck_tapping, "peck tapping retraction", Unit::increments},
-                                               {coordinate_bits, "rotation and scaling bits"},
-                                               {rotation_angle, "rotation angle", Unit::increments_of_angle},
-                                               {scaling_factor, "scaling factor"},
-                                               {overrun, "overrun of G60", Unit::increments, Scope::axes},
-                                               {call_bits, "call bits"}};
+constexpr auto named_parameters =
+    with_axis_parameters({{rotary_type, "axis type", Unit::none, Scope::axes},
+                          {rollover_bits, "rollover of a rotary axis", Unit::none, Scope::axes},
+                          {increment_system, "increment system"},
+                          {reset, "reset bits"},
+                          {decimal_point, "numbers without a decimal point"},
+                          {arc_tolerance, "arc radius tolerance", Unit::increments},
+                          {cycle_bits, "canned cycle bits"},
+                          {high_speed_peck, "high-speed peck retraction", Unit::increments},
+                          {peck, "peck clearance", Unit::increments},
+                          {shift_axis, "shift direction of boring", Unit::none, Scope::axes},
+                          {boring_return_override, "return override of boring", Unit::percent},
+                          {tapping_bits, "tapping bits"},
+                          {extraction_override, "extraction override of tapping", Unit::percent},
+                          {peck_tapping, "peck tapping retraction", Unit::increments},
+                          {coordinate_bits, "rotation and scaling bits"},
+                          {rotation_angle, "rotation angle", Unit::increments_of_angle},
+                          {scaling_factor, "scaling factor"},
+                          {overrun, "overrun of G60", Unit::increments, Scope::axes},
+                          {call_bits, "call bits"}});
 
 /// Parameters whose values are codes that call a program each.
 struct Calls {

@@ -3,6 +3,8 @@
 /// (mm or degrees). The table itself answers for the rapid rate and the rollover.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <span>
 
 #include "isogloss/provenance.hpp"
@@ -43,6 +45,24 @@ struct NamedParameter {
   ParameterUnit unit = ParameterUnit::none;
   ParameterScope scope = ParameterScope::control;
 };
+
+/// The parameters of axes under Fanuc's numbers.
+inline constexpr std::array<NamedParameter, 7> axis_parameters{
+    {{"1240", "first reference position", ParameterUnit::axis, ParameterScope::axes},
+     {"1241", "second reference position", ParameterUnit::axis, ParameterScope::axes},
+     {"1242", "third reference position", ParameterUnit::axis, ParameterScope::axes},
+     {"1243", "fourth reference position", ParameterUnit::axis, ParameterScope::axes},
+     {"1320", "upper travel limit", ParameterUnit::axis, ParameterScope::axes},
+     {"1321", "lower travel limit", ParameterUnit::axis, ParameterScope::axes},
+     {"1420", "rapid rate", ParameterUnit::rate, ParameterScope::axes}}};
+
+/// These and the axis_parameters.
+template <std::size_t N>
+constexpr std::array<NamedParameter, N + axis_parameters.size()> with_axis_parameters(const NamedParameter (&own)[N]) {
+  std::array<NamedParameter, N + axis_parameters.size()> out;
+  std::copy(axis_parameters.begin(), axis_parameters.end(), std::copy(own, own + N, out.begin()));
+  return out;
+}
 
 /// `increment` in mm; nothing where the number is not among the parameters, or has no use for the column.
 inline std::optional<RowMeaning> meaning_of_parameter(std::span<const NamedParameter> parameters,

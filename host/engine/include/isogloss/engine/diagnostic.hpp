@@ -62,6 +62,8 @@ std::string fill_in(std::string_view text, const std::vector<std::string>& argum
 
 /// The nearest of `names` to a misspelt one, for a hint; empty when none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& names);
+/// "a, b and 3 more": the names with commas, and of a long list the number of the others.
+std::string listed(const std::vector<std::string>& names, std::size_t most);
 
 std::string_view to_string(Severity severity);
 
