@@ -1,11 +1,43 @@
 #include "contract/elf_check.hpp"
 
 #include <elf.h>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <fstream>
+#include <span>
+
+#include "contract/elf_loading.hpp"
 
 namespace isogloss {
+namespace {
+
+/// The bytes of a file, for as long as this lives; none where it cannot be mapped.
+class MappedFile {
+ public:
+  MappedFile(const std::filesystem::path& file, std::uint64_t size) : size_(size) {
+    const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (opened < 0) return;
+    void* const mapped = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, opened, 0);
+    ::close(opened);
+    if (mapped != MAP_FAILED) data_ = static_cast<const std::byte*>(mapped);
+  }
+  ~MappedFile() {
+    if (data_ != nullptr) ::munmap(const_cast<std::byte*>(data_), size_);
+  }
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  std::span<const std::byte> bytes() const { return {data_, data_ == nullptr ? 0 : size_}; }
+
+ private:
+  const std::byte* data_ = nullptr;
+  std::uint64_t size_;
+};
+
+}  // namespace
 
 std::optional<std::string> elf_fault(const std::filesystem::path& file) {
   std::error_code error;
@@ -33,7 +65,11 @@ std::optional<std::string> elf_fault(const std::filesystem::path& file) {
         !lies_inside(section.sh_offset, section.sh_size))
       return "section " + std::to_string(i) + " lies outside the file";
   }
-  return std::nullopt;
+  // A library for another processor is refused by the loader, with a message of its own.
+  if (header.e_machine != EM_X86_64 || header.e_type != ET_DYN || header.e_ident[EI_DATA] != ELFDATA2LSB)
+    return std::nullopt;
+  const MappedFile mapped(file, size);
+  return mapped.bytes().empty() ? std::nullopt : elf_loading_fault(mapped.bytes());
 }
 
 namespace {
