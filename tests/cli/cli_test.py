@@ -306,6 +306,9 @@ class Tables(Command):
             self.assertRegex(done.stderr, rf"\[IG-0410\]\n  hint: {re.escape(hint)}")
         self.refused("--set", "IsoCoordinateTable.g54.X=5", code="IG-0432")
         self.refused("--set", "ToolOffsetTable.0.H=5", code="IG-0432")
+        for row in ("G504", "G600"):
+            done = self.run_it("run", "part.nc", "-d", "siemens", "--set", f"SiemensCoordinateTable.{row}.Z=10", status=2)
+            self.assertIn("[IG-0432]", done.stderr)
         self.refused("--set", "IsoCoordinateTable.G54.X=ten", code="IG-0411")
         self.refused("--set", "IsoCoordinateTable.G54.X=+-5", code="IG-0411")
         self.run_it("run", "part.nc", "-d", "fanuc", "--emit", "none", "--set", "FanucParameterTable.3401=1")

@@ -163,6 +163,7 @@ bool FrameValue::is_within_range() const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double scale = shape[ShapePart::scale][axis];
     if (!(std::fabs(shape[ShapePart::fine][axis]) < frame_limit) ||
+        !(std::fabs(shape[ShapePart::rotation][axis]) < frame_limit) ||
         !(scale >= settable_scales.minimum && scale <= settable_scales.maximum))
       return false;
   }
