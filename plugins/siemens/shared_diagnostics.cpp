@@ -145,6 +145,8 @@ const ig::Diagnostics shared_diagnostics{
     ig::diagnostic(IG_ERROR, "SIE-0273", "{0}: {1} not executed, so no hole is drilled",
                    "Rows, circles, full grids and lists of absolute positions are executed.",
                    "CYCLE801(0,0,0,10,10,3,3,1)"),
+    ig::diagnostic(IG_ERROR, "SIE-0280", "{0} beside {1} is not executed: program it in a block of its own",
+                   "A pattern of holes moves the tool itself, to each of its positions.", "HOLES1(0,0,0,0,10,5) X20"),
     ig::diagnostic(IG_ERROR, "SIE-0288",
                    "the text '{0}' that DEFINE gives this name is not executed here: write it out in the block",
                    "A name can stand for words, for a call or for a value. It cannot stand for a part of them, for a "

@@ -2,6 +2,7 @@
 #include "cycles/hole_pattern.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <isogloss/cnc/hole_layout.hpp>
@@ -32,6 +33,7 @@ std::optional<std::span<const ig::Vec3>> HolePattern::take(ig::Block& b, const P
   if (i >= calls_.size()) return std::nullopt;
   Call call{&calls_[i], {}};
   calls_[i].take(b, call.values);
+  take_words(b, call);
   points_.clear();
   holes_.clear();
   if (!is_executed(b, call)) return holes_;
@@ -55,6 +57,14 @@ void HolePattern::refuse(ig::Block& b) const {
   b.report(ig::diag("SIE-0271"), ig::Where::word(fields.code().code(0)), fields.name());
   CycleFields::Values unused;
   fields.take(b, unused);
+}
+
+void HolePattern::take_words(ig::Block& b, const Call& call) const {
+  constexpr std::array<std::string_view, 3> names{"X", "Y", "Z"};
+  const std::uint32_t named = b.take(words_).mask;
+  for (std::size_t axis = 0; axis < names.size(); ++axis)
+    if ((named >> axis & 1u) != 0)
+      b.report(ig::diag("SIE-0280"), ig::Where::word(words_.id(axis)), names[axis], call.fields->name());
 }
 
 bool HolePattern::is_executed(ig::Block& b, const Call& call) {

@@ -55,7 +55,11 @@ class HolePattern {
   static void grid(ig::Block& b, const Call& call, const Point2& from, Points& out);
   static void list(ig::Block& b, const Call& call, Points& out);
 
+  /// Words of a move, which a block with a pattern does not have.
+  void take_words(ig::Block& b, const Call& call) const;
+
   std::vector<CycleFields> calls_;
+  ig::Xyz words_{"Parsing", ig::take};
   Points points_;                // members, to keep their memory
   std::vector<ig::Vec3> holes_;  // in space
 };

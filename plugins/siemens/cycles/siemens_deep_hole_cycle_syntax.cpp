@@ -14,7 +14,7 @@ struct SiemensDeepHoleCycle {
       ig::diagnostic(IG_ERROR, "SIE-0193",
                      "{0} is not executed: the first depth {1} mm does not lie within the depth {2} mm (alarm 61107)"),
       ig::diagnostic(IG_ERROR, "SIE-0194",
-                     "{0} is not executed: the factor of the first feed is {1}, but must be 0.001 to 1"),
+                     "{0} is not executed: the factor of the first feed is {1}, but must be {2} to {3}"),
   };
 
   DrillingCall cycle_{"CYCLE83"};
@@ -95,7 +95,7 @@ struct SiemensDeepHoleCycle {
     }
     if (const double f = factor(run), least = is_percentage(run) ? 1e-5 : 0.001, most = is_percentage(run) ? 10 : 1;
         !(f >= least && f <= most)) {
-      b.report(ig::diag("SIE-0194"), DrillingCall::where(run, "FRF"), name, f);
+      b.report(ig::diag("SIE-0194"), DrillingCall::where(run, "FRF"), name, f, least, most);
       return false;
     }
     if (run["AXN"].value_or(0) != 0 && run["AXN"].value_or(0) != 3) {
