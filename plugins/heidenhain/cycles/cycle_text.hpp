@@ -101,7 +101,7 @@ class CycleText {
   double metric(const ig::Block& b, std::string_view unit, double value) const {
     const bool is_feed = feed_ && unit == "mm/min" && value < fmax_feed;
     if ((unit != "mm" && !is_feed) || !unit_.is_inch(b)) return value;
-    return mm_per_inch * (is_feed ? feed_->in_unit(b, value) : value);
+    return mm_per_inch * (is_feed ? feed_->unit().in_unit(b, value) : value);
   }
   Value value(ig::Block& b, std::string_view text, std::size_t i) const {
     const Value v = values_.read(b, text, i);
@@ -111,7 +111,7 @@ class CycleText {
     if (is("FMAX") || is("MAX")) return {fmax_feed, word, true};
     if (!feed_ || (!is("FAUTO") && !is("AUTO"))) return v;
     const auto of_tool_call = feed_->of_tool_call(b);
-    return {feed_->as_written(b, of_tool_call.value_or(0)), word, of_tool_call.has_value()};
+    return {feed_->unit().as_written(b, of_tool_call.value_or(0)), word, of_tool_call.has_value()};
   }
   static bool knows(std::int64_t cycle, std::uint32_t q) {
     const auto all = parameters_of(cycle);

@@ -11,7 +11,7 @@ std::optional<HoleCycle::Call> HoleCycle::called(ig::Block& b) const {
   std::optional<Call> found;
   const bool is_called = b.has(call_);
   const ig::PartialVec3 named = b.get(words_);
-  if (!is_called && (!b.has(modal_call_) || named.mask == 0)) return found;
+  if (b.is_raised(done_) || (!is_called && (!b.has(modal_call_) || named.mask == 0))) return found;
   const std::int64_t number = b.get_or(number_, std::int64_t{0});
   const auto cycle = std::find_if(cycles_.begin(), cycles_.end(), [&](const Term& t) { return t.number == number; });
   if (cycle == cycles_.end() || b.find(others_)) return found;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
+#include <isogloss/cnc/feed.hpp>
 #include <isogloss/cnc/peck_strokes.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
@@ -142,7 +144,7 @@ class HoleCycle {
     double end = 0;                                                      ///< level behind the last hole
     double added = 0;                                                    ///< height of the present point of PATTERN DEF
     double clearance_before = std::numeric_limits<double>::quiet_NaN();  ///< CLEARANCE of the point before; NaN: none
-    double feed_mmds = 0;  ///< feed between the points of PATTERN DEF; 0: a rapid
+    std::optional<double> feed_mmds{};  ///< feed between the points of PATTERN DEF; none: by rapid
   };
 
   /// Nothing where the block calls none of the cycles.
@@ -158,6 +160,8 @@ class HoleCycle {
   bool go_to(ig::Block& b, Call& call, std::int64_t i) const;
   /// The block's own move, by rapid or by feed. CYCL CALL POS goes to its point by rapid, not below the safe level.
   void position(ig::Block& b, Call& call) const;
+  /// The feed in force in mm/s; 0, with a diagnostic, where there is none.
+  double feed_of_way(ig::Block& b) const;
   /// Cycles 220 and 221: to the first point at the second set-up clearance, and from hole to hole at the first or the
   /// second one.
   void go_along_pattern(ig::Block& b, Call& call, std::int64_t i) const;
@@ -173,7 +177,7 @@ class HoleCycle {
   ig::In<bool> at_position_{"KlartextCycle.IsAtPosition",
                             ig::read,
                             {ig::Life::block, "", "CYCL CALL POS: the block goes to the point first."}};
-  ig::Signal done_{"KlartextCycle.~Done", ig::write};
+  ig::Signal done_{"KlartextCycle.~Done", ig::read | ig::write};
   ig::In<std::int64_t> number_{
       "CycleDefinition.Number", ig::read, {ig::Life::modal, "", "The cycle that CYCL CALL runs."}};
   CycleDefinition definition_{ig::read};
@@ -183,6 +187,7 @@ class HoleCycle {
   ig::Codes motions_{{"G00", "G01"}, ig::read};
   ig::Codes others_{{"G02", "G03", "G53"}, ig::read};
   ig::In<double> feed_{"Feedrate.FeedrateValue"};
+  FeedInForce in_force_;
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
   ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
   PlaneInForce plane_;

@@ -30,19 +30,23 @@ void HoleCycle::position(ig::Block& b, Call& call) const {
     to[tool] = c.level;
   }
   c.hole = to;
-  c.level = to[tool];
   const auto code = b.find(motions_);
   if (b.has(at_position_) || (code && *code == 0))
     motion.rapid_to(b, to);
   else
-    motion.feed_to(b, to, in_mmds(b, b.get_or(feed_, 0.0)));
+    motion.feed_to(b, to, feed_of_way(b));
+}
+
+double HoleCycle::feed_of_way(ig::Block& b) const {
+  const double mmds = in_mmds(b, b.get_or(feed_, 0.0));
+  if (!(mmds > 0)) in_force_.report_missing(b);
+  return mmds;
 }
 
 void HoleCycle::go_along_pattern(ig::Block& b, Call& call, std::int64_t i) const {
   HoleRun& c = call.hole;
   if (i == 0) {
     call.end = c.end;
-    c.level = c.hole[c.plane.tool];
     rapid_to(b, c, call.end);
   }
   c.hole = pattern_.point(b, call.points, c.plane, c.hole, i);
@@ -56,7 +60,7 @@ void HoleCycle::go_along_list(ig::Block& b, Call& call, std::int64_t i) const {
     call.at_call = c.level = c.hole[c.plane.tool];
     call.end = c.end;
     const auto code = b.find(motions_);
-    call.feed_mmds = code && *code == 0 ? 0 : in_mmds(b, b.get_or(feed_, 0.0));
+    if (!code || *code != 0) call.feed_mmds = feed_of_way(b);
   }
   const PatternPoint& point = (*call.points.list)[static_cast<std::size_t>(i)];
   const double more = point.surface - call.added;
@@ -69,7 +73,11 @@ void HoleCycle::go_along_list(ig::Block& b, Call& call, std::int64_t i) const {
   call.clearance_before = point.clearance;
   if (c.level != way) rapid_to(b, c, way);
   c.hole = pattern_.point(b, call.points, c.plane, c.hole, i);
-  feed_to(b, c, way, call.feed_mmds);
+  if (call.feed_mmds)
+    motion.feed_to(b, c.at(way), *call.feed_mmds);
+  else
+    motion.rapid_to(b, c.at(way));
+  c.level = way;
   c.end = high;
 }
 

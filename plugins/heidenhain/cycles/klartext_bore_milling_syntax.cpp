@@ -80,7 +80,7 @@ struct KlartextBoreMilling {
     const std::int64_t tool = b.get_or(tool_, std::int64_t{0});
     const auto known = tool > 0 ? tool_dimension(table_, tool, ToolDimension::radius) : std::nullopt;
     const double radius = known.value_or(0) + b.get_or(delta_, 0.0);
-    if (radius > 0 && std::isfinite(radius)) return radius;
+    if (known && radius > 0 && std::isfinite(radius)) return radius;
     if (!b.is_raised(said_)) b.report(ig::diag("HEI-0184"), ig::Where::block(), 208.0, static_cast<double>(tool));
     b.raise(said_);
     return 0;

@@ -27,7 +27,6 @@ struct KlartextCycleCheck {
   ig::In<std::int64_t> number_{"CycleDefinition.Number", ig::read, {ig::Life::modal, "", ""}};
   ig::In<std::int64_t> pattern_{"KlartextPattern.Number", ig::read, {ig::Life::block, "", ""}};
   ig::Xyz words_{"Parsing", ig::read};
-  ig::cnc::MachineCodes machine_;
   ig::Codes others_{{"G02", "G03", "G53"}, ig::read};
 
   ig::Status build(ig::Block& b) const {
@@ -35,11 +34,8 @@ struct KlartextCycleCheck {
     const bool is_called = b.has(call_);
     if (!is_called && (!b.has(modal_call_) || b.get(words_).mask == 0)) return ig::Status::unchanged;
     const bool is_pattern = b.has(pattern_);
-    const std::string_view call = is_pattern ? "the pattern" : is_called ? "CYCL CALL or M99" : "M89";
+    const std::string_view call = is_pattern ? "the pattern" : is_called ? "CYCL CALL, M99 or M89" : "M89";
     const std::int64_t number = b.get_or(number_, std::int64_t{0});
-    // KlartextMachineCodeSyntax has executed what M89 calls.
-    if (number > 0 && machine_.holds_any() && row_of_cycle(machine_, static_cast<std::uint32_t>(number)) != nullptr)
-      return ig::Status::unchanged;
     if (number == 0) {
       b.report(ig::diag("HEI-0162"), ig::Where::block(), call);
     } else if (b.find(others_) && is_known(number)) {

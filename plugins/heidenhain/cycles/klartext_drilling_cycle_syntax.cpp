@@ -59,7 +59,9 @@ struct KlartextDrillingCycle {
     if (!by_diameter && cycle_.get_or(b, 395, 0) != 1) return cycle_.needed(b, c, 201);
     if (point_angle_ == 0) return missing("the point angle of the tool (option point-angle)");
     if (!by_diameter) return missing("the diameter of the tool (Q395=1)");
-    return -std::fabs(cycle_.get_or(b, 344, 0)) / 2 / std::tan(point_angle_ / 2 * radians_per_degree);
+    const auto diameter = cycle_.needed(b, c, 344);
+    if (!diameter) return std::nullopt;
+    return -std::fabs(*diameter) / 2 / std::tan(point_angle_ / 2 * radians_per_degree);
   }
 
   PeckStrokes strokes_of(const ig::Block& b, const HoleRun& c) const {

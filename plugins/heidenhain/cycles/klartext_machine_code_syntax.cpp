@@ -39,6 +39,7 @@ struct KlartextMachineCode {
   ig::Signal said_{"CycleDefinition.~Said", ig::write, ig::Life::modal};
   ig::Field<bool> call_{"KlartextCycle.IsCalled", ig::read | ig::write | ig::wake, {ig::Life::block, "", ""}};
   ig::InWhile<bool> modal_call_{"KlartextCycle.IsModal", nullptr, ig::write};
+  ig::Signal done_{"KlartextCycle.~Done", ig::write};
   ig::In<std::int64_t> pattern_{"KlartextPattern.Number", ig::read, {ig::Life::block, "", ""}};
   ig::Xyz words_{"Parsing", ig::read};
   ig::Signal is_open_{"CycleDefinition.~Open", ig::read | ig::write, ig::Life::modal};
@@ -118,10 +119,14 @@ struct KlartextMachineCode {
   /// CYCL CALL, M99 and M89 of a cycle that has a row.
   bool answer_call(ig::Block& b) const {
     const bool is_called = b.has(call_);
-    if (!is_called && (!b.has(modal_call_) || b.get(words_).mask == 0 || is_inside_cycle(b))) return false;
+    if (!is_called && (!b.has(modal_call_) || b.get(words_).mask == 0)) return false;
     const ig_machine_code* const row = of_cycle(b.get_or(number_, std::int64_t{0}));
     if (row == nullptr) return false;
-    if (is_called) b.erase(call_);
+    b.raise(done_);
+    if (is_called)
+      b.erase(call_);
+    else if (is_inside_cycle(b))
+      return true;
     answer(b, *row, {}, ig::Where::block());
     if (b.has(pattern_)) b.report(ig::diag("HEI-0342"), ig::Where::block(), ig::to_view(row->name));
     return true;

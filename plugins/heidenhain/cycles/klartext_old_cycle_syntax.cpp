@@ -17,6 +17,7 @@ struct KlartextOldCycle {
   HoleCycle cycle_{{1, "CYCL1"}, {2, "CYCL2"}, {17, "CYCL17"}};
   HoleSpindle spindle_;
   ProgramUnit unit_;
+  FeedUnit feed_unit_;
 
   ig::Status build(ig::Block& b) { return cycle_.run(b, *this); }
 
@@ -39,7 +40,7 @@ struct KlartextOldCycle {
     const std::uint32_t feed = c.number == 1 ? 5 : 4;
     const auto f = needed(b, c, feed);
     if (!f) return std::nullopt;
-    c.feed = cycle_.in_mmds(b, *f * unit_.in_mm(b));
+    c.feed = cycle_.in_mmds(b, feed_unit_.in_mm(b, *f));
     c.dwell = c.number == 1 ? cycle_.get_or(b, 4, 0) : *third;
     return has_feed(b, c, "F", *f, c.number == 1 ? strokes_of(b, c).number() * 3 + 8 : 8);
   }

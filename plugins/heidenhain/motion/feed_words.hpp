@@ -58,36 +58,26 @@ class FeedWords {
       put_code(b, modes_.id(0), position, v.end);
     if (b.has(f_))
       b.report(ig::diag("HEI-0106"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
-    put_word(b, f_.id(), position, v.end, is_per_revolution ? v.number : in_unit(b, v.number));
+    put_word(b, f_.id(), position, v.end, is_per_revolution ? v.number : unit_.in_unit(b, v.number));
     return v.end;
   }
 
   /// Keeps the F of TOOL CALL, which is in force and is the meaning of F AUTO.
   void keep(ig::Block& b, double feed) const { b.set(tool_feed_, feed); }
   std::optional<double> word(const ig::Block& b) const { return b.get(f_); }
-  /// The feed in the unit of F in this program: inch/min in an inch program.
-  double in_unit(const ig::Block& b, double feed) const {
-    return inch_feed_ == InchFeed::tenths && unit_.is_inch(b) ? feed / 10 : feed;
-  }
-  double as_written(const ig::Block& b, double feed) const {
-    return inch_feed_ == InchFeed::tenths && unit_.is_inch(b) ? feed * 10 : feed;
-  }
+  const FeedUnit& unit() const { return unit_; }
   std::optional<double> of_tool_call(const ig::Block& b) const { return b.get(tool_feed_); }
 
  private:
-  enum class InchFeed { tenths, inches };
-
   ig::Field<double> f_{"Parsing.F", ig::read | ig::write, {ig::Life::standard, "mm/min", ""}};
   ig::Out<double> tool_feed_{
       "KlartextFeed.ToolCall",
       {ig::Life::modal, "", "F of the last TOOL CALL, which F AUTO means; in the program's unit."}};
   ig::Codes modes_{{"G94", "G95"}, ig::write};
   ig::In<ig::Symbol> mode_{"Feedrate.Term"};
-  ProgramUnit unit_;
+  FeedUnit unit_;
   ig::Signal per_revolution_{"KlartextFeed.~PerRevolution", ig::read, ig::Life::modal};
   ig::Name g95_{"G95"};
-  ig::Choice<InchFeed> inch_feed_{"inch-feed", "tenths|inches", "tenths",
-                                  "The unit of F in an inch program: tenths of an inch a minute, or inches a minute."};
 };
 
 }  // namespace heidenhain

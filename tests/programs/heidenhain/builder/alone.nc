@@ -1,0 +1,59 @@
+0 BEGIN PGM ALONE MM
+1 TOOL CALL 1 Z S1000 F300
+2 Q5 = 4
+3 L X+0 Y+0 Z+50 R0 FMAX M3
+; parameters on lines of their own, without a number and with blanks
+4 CYCL DEF 200 DRILLING
+Q200=2
+  Q201=- 8
+Q206 FAUTO
+Q202= +Q5
+Q203 = +1 
+Q210=0
+Q211=3
+Q1=-6
+5 CYCL CALL
+Q1=-6
+; a number, a skip sign, a formula and a cycle of the builder end the definition: Q1 is assigned
+6 CYCL DEF 201 REAMING
+Q200=2
+Q201=-3
+Q206=100
+7 Q1=5
+Q1=5
+8 CYCL DEF 201 REAMING
+Q200=2
+Q201=-3
+Q206=100
+/Q1=5
+9 CYCL DEF 201 REAMING
+Q200=2
+Q201=-3
+Q206=100
+Q1=1+2
+10 CYCL CALL
+11 CYCL DEF 201 REAMING
+Q200=2
+Q201=-3
+Q206=100
+12 CYCL DEF 392
+Q1=5
+13 CYCL CALL
+; a parameter without = ends it, too
+14 CYCL DEF 201 REAMING
+Q200=2
+Q201=-3
+Q206=100
+Q203
+Q1=20
+15 CYCL CALL
+; M89 ends at the next definition; each definition reports once
+16 L X+5 FMAX M89
+17 CYCL DEF 251 POCKET Q200=2 Q201=-3 Q203=0 Q204=10
+18 L X+9 FMAX
+19 L X+10 FMAX M99
+20 L X+20 FMAX M99
+21 CYCL DEF 241 DEEP Q200=2 Q201=-3 Q206=100
+22 L X+30 FMAX M99
+23 L X+40 FMAX M99
+24 END PGM ALONE MM
