@@ -306,6 +306,9 @@ class Tables(Command):
             self.assertRegex(done.stderr, rf"\[IG-0410\]\n  hint: {re.escape(hint)}")
         self.refused("--set", "IsoCoordinateTable.g54.X=5", code="IG-0432")
         self.refused("--set", "ToolOffsetTable.0.H=5", code="IG-0432")
+        done = self.run_it("run", "part.nc", "-d", "heidenhain", "--set", "HeidenhainDatums.ZERO.D#5.X=10",
+                           "--set", "HeidenhainDatums.zero.d#5.X=20", status=2)
+        self.assertIn("[IG-0432]", done.stderr)
         for row in ("G504", "G600"):
             done = self.run_it("run", "part.nc", "-d", "siemens", "--set", f"SiemensCoordinateTable.{row}.Z=10", status=2)
             self.assertIn("[IG-0432]", done.stderr)

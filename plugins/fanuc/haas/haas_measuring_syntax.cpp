@@ -24,8 +24,7 @@ struct HaasMeasuring {
     const auto row = b.find(measure_);
     if (!row) return ig::Status::unchanged;
     const ig_field code = measure_.code(*row);
-    std::uint32_t found = 0;
-    b.take_code(measure_.codes(), measure_.code_count(), &found);
+    b.take_code(measure_.codes(), measure_.code_count());
     bool moves = false;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       const ig_field word = measure_.word(*row, "XYZABC"[i]);

@@ -30,8 +30,7 @@ struct FanucFixtureOffset {
  private:
   bool take(ig::Block& b, std::uint32_t row) const {
     const ig_field code = codes_.code(row);
-    std::uint32_t found = 0;
-    if (b.take_code(&code, 1, &found) < 0) return false;
+    if (b.take_code(&code, 1) < 0) return false;
     ig_value p{};
     const std::string_view name = b.text(codes_.name(row));
     if (!b.take(codes_.word(row, 'P'), p))

@@ -60,8 +60,7 @@ struct FanucToolOffset {
     const auto row = b.find(codes_);
     if (!row) return ig::Status::unchanged;
     const ig_field code = codes_.code(*row);
-    std::uint32_t found = 0;
-    b.take_code(&code, 1, &found);
+    b.take_code(&code, 1);
     for (std::size_t axis = 0; axis < 3; ++axis) hand_over(b, codes_.word(*row, "XYZ"[axis]), axes_.id(axis));
     hand_over(b, codes_.word(*row, 'D'), d_.id());
 

@@ -1,5 +1,7 @@
 // Cycles 1, pecking, 2, tapping, and 17, rigid tapping, of older controls. They start at the tool's position at the
 // call, which is SET UP above the surface, and end there.
+#include <algorithm>
+
 #include "cycles/hole_cycle.hpp"
 #include "cycles/hole_spindle.hpp"
 #include "language/program_unit.hpp"
@@ -91,7 +93,7 @@ struct KlartextOldCycle {
     const PeckStrokes strokes = strokes_of(b, c);
     const int count = static_cast<int>(strokes.number());
     const double whole = std::fabs(c.bottom - c.surface);
-    const double ahead = whole <= 30 ? 0.6 : std::fmin(whole / 50, 7);
+    const double ahead = std::clamp(whole / 50, 0.6, 7.0);
     for (int k = 1; k <= count; ++k) {
       const double level = strokes.level(k, count);
       cycle_.feed_to(b, c, level, c.feed);

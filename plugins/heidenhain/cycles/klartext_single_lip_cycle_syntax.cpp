@@ -58,7 +58,7 @@ struct KlartextSingleLipCycle {
   }
 
   PeckStrokes strokes_of(const ig::Block& b, const HoleRun& c) const {
-    const double from = cycle_.get_or(b, 379, 0) != 0 ? std::fabs(cycle_.get_or(b, 379, 0)) : 0;
+    const double from = std::fabs(cycle_.get_or(b, 379, 0));
     const double infeed = std::fabs(cycle_.get_or(b, 202, 0)), whole = std::fabs(c.bottom - c.surface) - from;
     HoleRun part = c;
     part.surface = c.surface - c.out() * from;

@@ -29,8 +29,8 @@ struct KlartextTappingCycle {
     const auto pitch = cycle_.needed(b, c, 239);
     if (!pitch) return std::nullopt;
     c.feed = cycle_.speed(b) * std::fabs(*pitch) / 60;
-    const double factor = cycle_.get_or(b, 403, 1);
-    c.retract = c.feed * (factor > 0 ? factor : 1);
+    const double factor = cycle_.get_or(b, 403, 0);
+    c.retract = factor > 0 ? c.feed * factor : c.feed;
     if (!(c.feed > 0)) {
       b.report(ig::diag("HEI-0166"), ig::Where::block(), static_cast<double>(c.number),
                std::string_view(*pitch == 0 ? "Q239" : "the speed S"), *pitch == 0 ? *pitch : cycle_.speed(b));

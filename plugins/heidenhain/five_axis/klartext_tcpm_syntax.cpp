@@ -38,8 +38,9 @@ struct KlartextTcpm {
     // Without a TOOL CALL before it the tool in the spindle is used; its length is not known.
     if (starts && !b.has(offset_id_)) put_code(b, tip_.word(0, 'H'), begin, i);
     const std::size_t after = i;
-    for (const std::string_view words : {"F TCP", "F CONT", "AXIS POS", "PATHCTRL AXIS", "REFPNT TIP-TIP"})
-      if (const std::size_t next = skip(text, i), behind = keyword(text, next, words); behind != next) i = behind;
+    if (starts)
+      for (const std::string_view words : {"F TCP", "F CONT", "AXIS POS", "PATHCTRL AXIS", "REFPNT TIP-TIP"})
+        if (const std::size_t next = skip(text, i), behind = keyword(text, next, words); behind != next) i = behind;
     i = skip(text, i);
     if (!starts || i >= text.size()) {
       if (!starts && i < text.size())

@@ -58,7 +58,7 @@ struct PlaneDefinition {
   static Mat4 spatial_plane(const ig::Vec3& angles) { return roll_pitch_yaw(angles, {0, 1, 2}, TurnedAxes::fixed); }
   /// The spatial angles of a plane.
   static ig::Vec3 spatial_angles(const Mat4& m) {
-    const double b = std::asin(std::fmax(-1, std::fmin(1, -m[2])));
+    const double b = std::atan2(-m[2], std::hypot(m[0], m[1]));  // an arcsine would lose digits near 90 degrees
     if (std::fabs(m[0]) < 1e-12 && std::fabs(m[1]) < 1e-12)
       return {std::atan2(-m[9], m[5]) / radians_per_degree, b / radians_per_degree, 0};
     return {std::atan2(m[6], m[10]) / radians_per_degree, b / radians_per_degree,

@@ -109,7 +109,17 @@ bool PlaneStatement::read(ig::Block& b, std::string_view text, std::size_t posit
     }
     i = next;
   }
+  report_idle_words(b, command);
   return is_complete_plane(b, command);
+}
+
+void PlaneStatement::report_idle_words(ig::Block& b, const PlaneCommand& command) {
+  if (command.distance_word && command.move != PlaneCommand::Move::move)
+    b.report(ig::diag("HEI-0140"), *command.distance_word, std::string_view("DIST of PLANE"),
+             std::string_view("only with MOVE the tool turns about a point"));
+  if (command.retract && !command.turns_axes())
+    b.report(ig::diag("HEI-0140"), ig::Where::columns(command.retract->begin, command.retract->end),
+             std::string_view("MB of PLANE"), std::string_view("the axes do not turn in this block"));
 }
 
 std::size_t PlaneStatement::angle_or_point(ig::Block& b, std::string_view text, std::size_t position,
@@ -151,7 +161,10 @@ std::size_t PlaneStatement::word_at(ig::Block& b, std::string_view text, std::si
     command.turns_table = is("TABLE");
     return rot;
   }
-  if (const std::size_t end = distance_at(b, text, i, command.distance); end != i) return end;
+  if (const std::size_t end = distance_at(b, text, i, command.distance); end != i) {
+    command.distance_word = ig::Where::columns(i, end);
+    return end;
+  }
   if (const std::size_t value = before_value(text, i, "MB"); value != i) {
     const Value v = values_.read(b, text, value);
     const std::size_t behind = skip(text, value), limit = keyword(text, behind, "MAX");

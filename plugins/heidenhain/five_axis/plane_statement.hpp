@@ -24,6 +24,7 @@ struct PlaneCommand {
   Move move = Move::none;
   int sequence = 0;     ///< the sign of SEQ or SYM; 0: none
   double distance = 0;  ///< DIST
+  std::optional<ig::Where> distance_word{};
   std::optional<Retract> retract{};
   bool is_rapid = false;
   bool turns_table = false;  ///< TABLE ROT; else COORD ROT
@@ -57,6 +58,7 @@ class PlaneStatement {
   /// The position after DIST50 or ABST50, `position` itself where it is not there.
   std::size_t distance_at(ig::Block& b, std::string_view text, std::size_t position, double& distance) const;
   std::size_t word_at(ig::Block& b, std::string_view text, std::size_t position, PlaneCommand& command) const;
+  static void report_idle_words(ig::Block& b, const PlaneCommand& command);
   std::size_t angle_or_point(ig::Block& b, std::string_view text, std::size_t position, PlaneDefinition& plane) const;
 
   Values values_;

@@ -30,8 +30,7 @@ class DatumWords {
         if ((named >> (axis + 3) & 1u) != 0) angles[axis] = v[axis + 3].number + (row == 1 ? angles[axis] : 0);
       rotary_.set(b, angles);
     }
-    std::uint32_t found = 0;
-    b.take_code(call_.codes(), call_.code_count(), &found);
+    b.take_code(call_.codes(), call_.code_count());
     return shift;
   }
 

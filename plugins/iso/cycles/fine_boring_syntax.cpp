@@ -3,6 +3,8 @@
 ///
 /// Carries out the call that CannedCycleResolveSyntax has resolved. Every step is an item of the motion, even one of
 /// length 0.
+#include <string>
+
 #include <isogloss/cnc/restarted_spindle.hpp>
 
 #include "cycles/single_stroke.hpp"
@@ -35,7 +37,8 @@ struct FineBoring {
     const double feed = cycle_.stroke_feed(b, std::fabs(run->r_level - run->bottom));
     const double dwell = dwell_at_ == Dwell::bottom ? dwell_.seconds(*run) : 0;
     const ToolShift::Shift shift = shift_.of(b, *run);
-    cycle_.report_unused(b, *run, dwell_at_ == Dwell::none ? "QIJ" : "PQIJ");
+    const std::string_view dwells = dwell_at_ == Dwell::none ? "" : "P";
+    cycle_.report_unused(b, *run, std::string(dwells).append(shift_.used_words(*run)));
     const ig::CompoundMotion& motion = cycle_.motion;
     const auto start = spindle_.begin(b, motion, cycle_.where(*run), run->code);
     ig::CompoundSteps steps(b, motion);

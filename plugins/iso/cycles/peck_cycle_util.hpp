@@ -66,8 +66,10 @@ class PeckCycle {
       if (retraction_ > depth + same_point_mm)
         b.report(ig::diag("ISO-0333"), cycle.where(run), b.text(run.code), retraction_, depth);
     }
-    const double full_return = peck_words_ == PeckWords::q ? 0 : std::fabs(run.words.get_or(CycleWords::K, 0));
-    return Pecks{strokes, static_cast<int>(number), retraction_, clear_level(strokes, run), full_return};
+    const double k = peck_words_ == PeckWords::q ? 0 : run.words.get_or(CycleWords::K, 0);
+    if (k < 0 && is_news)
+      b.report(ig::diag("ISO-0359"), cycle.where(run, CycleWords::K), b.text(run.code), std::string_view("K"), k);
+    return Pecks{strokes, static_cast<int>(number), retraction_, clear_level(strokes, run), std::fabs(k)};
   }
 
   /// The letters of the call's words that define its pecks.

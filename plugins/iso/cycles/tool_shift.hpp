@@ -52,11 +52,11 @@ class ToolShift {
   };
 
   /// The shift of this block. Reports where there is none, and where it differs from what the block programs.
-  Shift of(ig::Block& b, const CycleRun& run) const {
-    const bool has_vector = run.words.get_or(CycleWords::I, 0) != 0 || run.words.get_or(CycleWords::J, 0) != 0;
-    const bool has_q = run.words.get_or(CycleWords::Q, 0) != 0;
-    return words_ == Words::q || (words_ == Words::q_or_ij && (has_q || !has_vector)) ? by_q(b, run)
-                                                                                      : by_vector(b, run);
+  Shift of(ig::Block& b, const CycleRun& run) const { return is_by_q(run) ? by_q(b, run) : by_vector(b, run); }
+  /// The letters of the words that give the shift of this call: I J without the component along the tool axis.
+  std::string_view used_words(const CycleRun& run) const {
+    if (is_by_q(run)) return "Q";
+    return run.plane.tool == 2 ? "IJ" : run.plane.tool == 1 ? "I" : "J";
   }
 
   /// Moves the bar sideways at `feed`, in mm/s, or by rapid, as the words of the shift say.
@@ -82,6 +82,12 @@ class ToolShift {
  private:
   enum class Words { q, ij, q_or_ij };
   enum class FrameOfShift { program, machine };
+
+  bool is_by_q(const CycleRun& run) const {
+    const bool has_vector = run.words.get_or(CycleWords::I, 0) != 0 || run.words.get_or(CycleWords::J, 0) != 0;
+    const bool has_q = run.words.get_or(CycleWords::Q, 0) != 0;
+    return words_ == Words::q || (words_ == Words::q_or_ij && (has_q || !has_vector));
+  }
 
   Shift by_q(ig::Block& b, const CycleRun& run) const {
     const double q = run.words.get_or(CycleWords::Q, 0);

@@ -174,8 +174,7 @@ void TiltedPlane::drop(ig::Block& b, std::size_t row) const {
 
 void TiltedPlane::take_code(ig::Block& b, std::size_t row) const {
   const ig_field code = tilt_.code(row);
-  std::uint32_t found = 0;
-  b.take_code(&code, 1, &found);
+  b.take_code(&code, 1);
 }
 
 }  // namespace iso

@@ -50,7 +50,7 @@ std::string_view TiltedPlane::missing(const ig::Block& b) const {
 void TiltedPlane::finish(ig::Block& b, std::size_t row, std::int64_t p) const {
   const double turn = b.get_or(open_turn_, 0.0);
   const bool is_turned = b.has(open_turn_);
-  const bool is_square = p == 2 || are_square(b, row);
+  const bool is_square = are_square(b, row);
   const auto plane = p == 2 ? through_points(b, turn) : along_vectors(b);
   forget_parts(b);
   if (!is_square) return;

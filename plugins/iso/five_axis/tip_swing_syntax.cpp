@@ -48,7 +48,7 @@ struct TipSwing {
     const ToolTip tool{machine_, b.get_or(length_, 0.0)};
     const auto first = tool.in_workpiece(begin.value, from);
     const auto axis = machine_.tool_axis(from);
-    if (count < 2 || !first || !axis) return ig::Status::unchanged;
+    if (count < 2 || !first) return ig::Status::unchanged;
     const ig::Vec3 rests = *first - *lever * *axis;
     const ToolSteps::Manner manner = event_.take(b);
     for (double step = 1; step < count; ++step) {

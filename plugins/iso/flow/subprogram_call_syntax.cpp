@@ -90,9 +90,8 @@ struct SubprogramCall {
     const std::optional<double> p = take(b, *row, 'P', &request.where);
     const std::optional<double> l = take(b, *row, 'L');
     const std::optional<double> start = start_of(b, *row);
-    std::uint32_t found = 0;
     const ig_field code = call_.code(*row);
-    b.take_code(&code, 1, &found);
+    b.take_code(&code, 1);
     b.set(term_, call_.name(*row));
     if (start) request.start = static_cast<std::int64_t>(*start);
     if (l) count(b, request, *l);

@@ -128,8 +128,7 @@ struct IsoG68Rotation {
   /// Words that no rotation in the plane has are not taken, so that they are reported.
   void rotate(ig::Block& b) const {
     const auto where = ig::Where::word(g68_.code(0));
-    std::uint32_t found = 0;
-    b.take_code(g68_.codes(), 1, &found);
+    b.take_code(g68_.codes(), 1);
     ig_value unused[3];
     const bool is_in_space = b.take_many(g68_.row(0) + I, 3, unused) != 0;  // about an axis in space
     if (is_in_space || is_tilted(b)) {

@@ -83,9 +83,8 @@ struct NotExecuted {
     for (std::uint32_t row = 0; row < feature.codes.code_count(); ++row) {
       const ig_field code = feature.codes.code(row);
       if (!is_unanswered(b, code)) continue;
-      std::uint32_t found = 0;
       ig_value unused[32];
-      b.take_code(&code, 1, &found);
+      b.take_code(&code, 1);
       b.take_many(feature.codes.row(row), static_cast<std::uint32_t>(feature.codes.letters().size()), unused);
       b.report(feature.diagnostic, ig::Where::word(code), b.text(feature.codes.name(row)));
       return true;

@@ -20,8 +20,7 @@ struct SpindleOrientation {
   ig::Choice<AngleWords> angle_words_{"angle-words", "none|R|P|R-or-P", "R-or-P", "The words that give the angle."};
 
   ig::Status build(ig::Block& b) {
-    std::uint32_t found = 0;
-    if (b.take_code(m19_.codes(), m19_.code_count(), &found) < 0) return ig::Status::unchanged;
+    if (b.take_code(m19_.codes(), m19_.code_count()) < 0) return ig::Status::unchanged;
     std::optional<double> angle;
     if (angle_words_ == AngleWords::p || angle_words_ == AngleWords::r_or_p) angle = take(b, 'P');
     if (angle_words_ == AngleWords::r || angle_words_ == AngleWords::r_or_p)

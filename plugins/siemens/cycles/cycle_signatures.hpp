@@ -80,8 +80,7 @@ class CycleFields {
   /// Takes the call from the block: `out`, which is empty, receives the values that it passes, in the order of the
   /// parameters. False where the block does not call the cycle.
   bool take(ig::Block& b, Values& out) const {
-    std::uint32_t found = 0;
-    if (b.take_code(code_.codes(), 1, &found) < 0) return false;
+    if (b.take_code(code_.codes(), 1) < 0) return false;
     for (std::size_t i = 0; i < fields_.size(); ++i)
       if (ig_value v; b.take(fields_[i].id(), v)) out[i] = v.number;
     return true;

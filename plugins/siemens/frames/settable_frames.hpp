@@ -30,12 +30,10 @@ class SettableFrames {
   }
   /// The code in this block, if there is one.
   std::optional<std::size_t> find(const ig::Block& b) const {
-    std::uint32_t found = 0;
-    return some(b.find_code(ids_.data(), static_cast<std::uint32_t>(ids_.size()), &found));
+    return some(b.find_code(ids_.data(), static_cast<std::uint32_t>(ids_.size())));
   }
   std::optional<std::size_t> take(ig::Block& b) const {
-    std::uint32_t found = 0;
-    return some(b.take_code(ids_.data(), static_cast<std::uint32_t>(ids_.size()), &found));
+    return some(b.take_code(ids_.data(), static_cast<std::uint32_t>(ids_.size())));
   }
   ig::Symbol name(std::size_t i) const { return names_[i]; }
   ig_field id(std::size_t i) const { return ids_[i]; }

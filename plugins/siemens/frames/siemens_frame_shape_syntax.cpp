@@ -59,8 +59,8 @@ struct SiemensFrameShape {
   bool select(ig::Block& b, ig::Symbol id) const {
     const Mat4 m = product(shapes_.get(b.text(id)).matrix(), shapes_.get("BASE").matrix());
     Mat4 present = identity_frame;
-    const bool is_there = b.get(frame_, present);
-    if (m == present || (!is_there && m == identity_frame)) return false;
+    b.get(frame_, present);
+    if (m == present) return false;
     b.set_transform(frame_, m);
     if (keeps_circles(m, xy_plane) && keeps_circles(m, zx_plane))
       b.erase(uneven_);
