@@ -17,8 +17,9 @@ from instrument import digest, stem_of, tracked  # noqa: E402
 
 MODELS = ("cycles/cycles_test", "cycles/syntec_test", "cycles/extremes_test", "five_axis/tip_test", "five_axis/faces_test",
           "five_axis/feed_test", "five_axis/swing_test", "five_axis/dialect_test", "frames/frames_test",
-          "frames/program_words_test", "tilt/tilt_test", "tilt/cycles_test", "klartext/cycles_test",
-          "klartext/frames_test", "siemens/cycles_test", "siemens/frames_test")
+          "frames/program_words_test", "frames/coordinate_shift_test", "tilt/tilt_test", "tilt/cycles_test",
+          "klartext/cycles_test", "klartext/frames_test", "klartext/scaling_test", "siemens/cycles_test",
+          "siemens/frames_test")
 # Of the rooms of programs that reach a mutant, so many of the shortest are tried: the pages have said most by then.
 most_rooms = 8
 pages_at_once = 16
