@@ -1,6 +1,7 @@
 // Files of controls as tables of a machine, and tables as such files.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "crash_guard.hpp"
@@ -48,6 +49,13 @@ Json json_of(const DependencyElement& table) {
   return {{"Table", table.alias}, {"Rows", std::move(rows)}};
 }
 
+bool has_no_file(const std::string& place) {
+  std::error_code error;
+  if (!fs::is_directory(place, error)) return false;
+  const fs::directory_iterator all(place, error);
+  return std::none_of(begin(all), end(all), [](const fs::directory_entry& e) { return e.is_regular_file(); });
+}
+
 struct ImportCommand {
   CommonOptions common;
   std::vector<std::string> files, settings;
@@ -84,6 +92,10 @@ int ImportCommand::run() const {
   session.progress().show(0, 0, "reading the files");
   if (!complete_machine(machine, session.library(), session.diagnostics())) return input_errors;
   session.progress().hide();
+  if (machine.dependencies.empty() && std::all_of(files.begin(), files.end(), has_no_file)) {
+    for (const std::string& file : files) session.report("IG-0124", {file}, {file});
+    return input_errors;
+  }
   if (json) return write_json(machine, path, session);
   std::size_t rows = 0;
   for (const DependencyElement& table : machine.dependencies) rows += table.rows.size();

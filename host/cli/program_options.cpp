@@ -50,4 +50,17 @@ void ProgramOptions::add_to(CommandLine& line) {
       .shows_default();
 }
 
+bool ProgramOptions::take_side(const std::string& own_dialect, const std::string& own_machine, Workspace& workspace) {
+  if (!own_machine.empty()) machine = own_machine;
+  if (!own_dialect.empty()) dialect = own_dialect;
+  if (machine.empty()) return true;
+  const std::optional<FoundMachine> found = workspace.find_machine(machine);
+  if (!found || found->is_tables) return found.has_value();
+  if (!own_machine.empty())
+    dialect = own_dialect;
+  else if (!own_dialect.empty())
+    machine.clear();
+  return true;
+}
+
 }  // namespace isogloss::cli

@@ -10,6 +10,10 @@ struct ProgramOptions : RunRequest {
   unsigned watchdog = 10;
 
   void add_to(CommandLine& line);
+  /// What the options of one side (-a, --machine-a) put in the place of -d and -m. A whole machine names its dialect,
+  /// so that a machine and a dialect of the two levels do not go together; tables lie over any dialect. False, with a
+  /// diagnostic, where the machine is not found.
+  bool take_side(const std::string& own_dialect, const std::string& own_machine, Workspace& workspace);
 };
 
 }  // namespace isogloss::cli

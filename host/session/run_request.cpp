@@ -5,6 +5,7 @@
 #include <map>
 
 #include "dialect_guess.hpp"
+#include "isogloss/engine/machine.hpp"
 
 namespace isogloss {
 
@@ -38,8 +39,10 @@ std::optional<RunOptions> RunRequest::make(Workspace& workspace) {
                                             std::filesystem::path(tools), std::filesystem::path(variables)}) {
     if (file.empty()) continue;
     DiagnosticList said;
-    for (DependencyElement& d : workspace.reader().read_dependencies(file, said))
-      out.chain.dependencies.push_back(std::move(d));
+    Dialect tables;
+    tables.dependencies = workspace.reader().read_dependencies(file, said);
+    if (is_incomplete(tables)) complete_machine(tables, workspace.library(), said);
+    for (DependencyElement& d : tables.dependencies) out.chain.dependencies.push_back(std::move(d));
     sound = sound && !said.has_errors();
     for (Diagnostic& d : said.all) workspace.sink().add(std::move(d));
   }

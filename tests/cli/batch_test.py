@@ -195,6 +195,40 @@ class Batch(unittest.TestCase):
         self.batch()
         self.assertEqual(self.results()["main.nc"]["Status"], "ok")
 
+    def test_a_program_that_was_missing_is_found_in_a_file_that_was_there(self):
+        """Files of other names are searched by their contents."""
+        self.write("main.nc", GOOD.replace("M30", "M98 P7000\nM30"))
+        self.write("library.nc", "O6000\nM99\n")
+        places = self.path / "places.nc"
+        places.write_text("O5000\nM99\n")
+        self.batch("--subprograms", places, status=1)
+        self.write("library.nc", "O6000\nM99\nO7000\nG0 X30.\nM99\n")
+        self.batch("--subprograms", places)
+        self.assertEqual(self.results()["main.nc"]["Status"], "ok")
+        self.write("library.nc", "O6000\nM99\n")
+        self.batch("--subprograms", places, status=1)
+        places.write_text("O5000\nM99\nO7000\nG0 X40.\nM99\n")
+        self.batch("--subprograms", places)
+        self.assertEqual(self.results()["main.nc"]["Status"], "ok")
+
+    def test_tables_of_a_machine_and_what_they_include_count(self):
+        self.write("a.nc", GOOD)
+        (self.path / "machines").mkdir()
+        tables = self.path / "machines" / "shop.xml"
+        offset = '<Dependencies><IsoCoordinateTable><Offset id="G54" Z="{}"/></IsoCoordinateTable></Dependencies>'
+        tables.write_text(offset.format(-100))
+        named = ("--machines", "machines", "-m", "shop")
+        self.batch(*named, dialect=())
+        (self.path / "tools.xml").write_text('<Dependencies><IsoCoordinateTable src="more.xml"/></Dependencies>')
+        (self.path / "more.xml").write_text(offset.format(-1).replace("<Dependencies>", "").replace("</Dependencies>", ""))
+        self.batch("--offsets", "tools.xml", out="included")
+        tables.write_text(offset.format(-200))
+        self.batch(*named, dialect=())
+        self.assertEqual(len(self.journal()), 2)
+        (self.path / "more.xml").write_text(offset.format(-2).replace("<Dependencies>", "").replace("</Dependencies>", ""))
+        self.batch("--offsets", "tools.xml", out="included")
+        self.assertEqual(len(self.journal("included")), 2)
+
     def test_limits_and_crashes_are_results(self):
         dialect = self.path / "bad.xml"
         dialect.write_text('<Dialect xmlns="urn:isogloss:dialect:1" name="bad" extends="fanuc">'

@@ -263,6 +263,25 @@ class Diff(unittest.TestCase):
             process.stdout.close()
             self.assertIn(process.wait(timeout=60), (1, 2))
 
+    def test_errors_of_runs_whose_motions_agree(self):
+        sound, broken = self.write("sound.nc", HEAD + "M30\n"), self.write("broken.nc", HEAD + "G777\nM30\n")
+        done = self.diff(sound, broken, "-d", "fanuc", "--motions", status=0)
+        self.assertRegex(done.stderr, r"broken.nc:4:1: warning: .*count: 1.*G777.*\[IG-0184\]")
+        self.assertNotIn("sound.nc:", done.stderr)
+        done = self.diff(sound, broken, "-d", "fanuc", "--motions", "--max-blocks", "2", status=0)
+        self.assertEqual(done.stderr.count("[IG-0407] [IG-0184]"), 2)
+
+    def test_tables_of_a_machine_lie_over_the_dialect_of_each_side(self):
+        tables = self.write("shop.xml", '<Dependencies><IsoCoordinateTable><Offset id="G54" X="7"/></IsoCoordinateTable>'
+                                        '</Dependencies>')
+        part = self.write("part.nc", HEAD + "M30\n")
+        sides = ("-a", "fanuc", "-b", "haas", "--motions")
+        self.diff(part, "-m", tables, *sides, "--set-b", "IsoCoordinateTable.G54.X=7", status=0)
+        self.diff(part, "-m", tables, *sides, "--set-b", "IsoCoordinateTable.G54.X=8")
+        for option in ("-m", "--machine-a"):
+            done = self.diff(part, option, "nowhere", "-a", "fanuc", "-b", "haas", status=2)
+            self.assertIn("nowhere", done.stderr)
+
     def test_trouble(self):
         part = self.write("part.nc", PECKS)
         self.assertIn("[IG-0185]", self.diff("-d", "fanuc", part, status=2).stderr)

@@ -357,6 +357,22 @@ class Machines(unittest.TestCase):
         self.machine('<Backup src="TOOL.T"/>')
         self.assertIn("[IG-0134]", self.run_it("lint", "-m", "machines/mill").stderr)
 
+    def test_tables_of_a_run_may_be_files_of_a_control(self):
+        self.write("TOOLOFST.TXT", "%\nG10G90L10P1R112.4\n%\n")
+        part = self.write("part.nc", "G21 G90 G54 G17 G94\nG43 H1 G0 Z50.\nM30\n")
+        tools = self.write("tools.xml", '<Dependencies><ToolOffsetTable src="TOOLOFST.TXT" format="FanucOffsets"/></Dependencies>')
+        for option in ("--tools", "-m"):
+            done = self.run_it("run", part, "-d", "fanuc", option, tools, "--emit", "motions", "--format", "csv")
+            self.assertIn(",162.4,", done.stdout)
+        self.write("tools.xml", '<Dependencies><ToolOffsetTable src="nowhere.TXT" format="FanucOffsets"/></Dependencies>')
+        self.run_it("run", part, "-d", "fanuc", "--tools", tools, status=2)
+
+    def test_import_of_a_folder_without_files_keeps_what_was_written(self):
+        (self.path / "empty").mkdir()
+        kept = self.write("kept.xml", "<Dependencies/>\n<!-- mine -->\n")
+        self.assertIn("[IG-0124]", self.run_it("import", "empty", "-o", kept, status=1).stderr)
+        self.assertIn("mine", kept.read_text())
+
     def test_import_writes_tables_with_their_sources(self):
         table = self.write("tool.tbl", TOOLS)
         done = self.run_it("import", table)

@@ -167,7 +167,9 @@ void Batch::finish(const std::string& program, const ChildEnd& end) {
   if (!finished.called.empty() || result["Status"] != "ok") {
     std::vector<std::string> folders{std::filesystem::path(program).parent_path().string()};
     for (const std::string& place : arguments_.program.subprograms) folders.push_back(place);
-    for (const std::string& folder : folders) finished.folders[folder] = hashes_.of_names_in(folder);
+    // One that was not found is looked for in files of other names as well, by their contents.
+    for (const std::string& folder : folders)
+      finished.folders[folder] = hashes_.of_place(folder, result["Status"] == "errors");
   }
   finished.result = result.dump(-1, ' ', false, Json::error_handler_t::replace);
   finished.is_failure = result["Status"] != "ok" && result["Status"] != "errors";

@@ -37,17 +37,23 @@ const std::string& FileHashes::of(const std::string& file) {
   return at->second = ContentHash{hash.high64, hash.low64}.text();
 }
 
-const std::string& FileHashes::of_names_in(const std::string& folder) {
-  const auto [at, is_new] = folders_.try_emplace(folder, "missing");
-  if (!is_new) return at->second;
+const std::string& FileHashes::of_place(const std::string& place, bool with_contents) {
   std::error_code code;
+  if (fs::is_regular_file(place, code)) return of(place);
+  const auto [at, is_new] = folders_.try_emplace(std::pair(place, with_contents), "missing");
+  if (!is_new) return at->second;
   std::vector<std::string> names;
-  for (fs::directory_iterator i(folder.empty() ? "." : folder, code), end; !code && i != end; i.increment(code))
+  for (fs::directory_iterator i(place.empty() ? "." : place, code), end; !code && i != end; i.increment(code))
     names.push_back(i->path().filename().string());
   std::sort(names.begin(), names.end());
   std::string all;
-  for (const std::string& name : names) all.append(name).push_back('\0');
-  return at->second = hash_of(all).text();
+  for (const std::string& name : names) {
+    all.append(name).push_back('\0');
+    if (with_contents) all.append(of((fs::path(place) / name).string()));
+  }
+  at->second = hash_of(all).text();
+  if (with_contents) at->second.insert(at->second.begin(), contents_mark);
+  return at->second;
 }
 
 }  // namespace isogloss::cli::batch

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace isogloss::cli::batch {
 
@@ -21,11 +22,15 @@ class FileHashes {
  public:
   /// "missing" for what cannot be read.
   const std::string& of(const std::string& file);
-  /// Of the names in a folder, to see that one is added or gone.
-  const std::string& of_names_in(const std::string& folder);
+  /// Of a file; of a folder the names in it, to see that one is added or gone, and where asked their contents, too:
+  /// such a hash begins with `contents_mark`.
+  const std::string& of_place(const std::string& place, bool with_contents);
 
  private:
-  std::map<std::string, std::string> files_, folders_;
+  std::map<std::string, std::string> files_;
+  std::map<std::pair<std::string, bool>, std::string> folders_;
 };
+
+inline constexpr char contents_mark = '+';
 
 }  // namespace isogloss::cli::batch

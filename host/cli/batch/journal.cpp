@@ -151,10 +151,12 @@ const Finished* Journal::find(const std::string& program, const std::string& sur
   for (auto at = first; at != last; ++at) {
     const Finished& one = at->second;
     const auto is_same = [&](const auto& file) { return hashes.of(file.first) == file.second; };
-    const auto has_same_names = [&](const auto& folder) { return hashes.of_names_in(folder.first) == folder.second; };
+    const auto is_same_place = [&](const auto& place) {
+      return hashes.of_place(place.first, place.second.starts_with(contents_mark)) == place.second;
+    };
     const bool is_valid = one.surroundings == surroundings && hashes.of(program) == one.content &&
                           std::all_of(one.called.begin(), one.called.end(), is_same) &&
-                          std::all_of(one.folders.begin(), one.folders.end(), has_same_names);
+                          std::all_of(one.folders.begin(), one.folders.end(), is_same_place);
     if (is_valid && !one.is_failure) return &one;
     if (is_valid && failure == nullptr) failure = &one;
   }

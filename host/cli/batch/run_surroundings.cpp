@@ -37,13 +37,26 @@ void add_files_of(const std::vector<Place>& places, const char* extension, std::
   }
 }
 
+/// The file that -m names, and those that hold the tables of -m, --tools and the like, included ones, too.
+void add_files_of_tables(const ProgramOptions& program, const RunOptions& options, Session& session,
+                         std::set<std::string>& files) {
+  if (!program.machine.empty())
+    if (const std::optional<FoundMachine> machine = session.find_machine(program.machine))
+      for (std::string& file : files_of_machine(machine->file.string())) files.insert(std::move(file));
+  for (const DependencyElement& table : options.chain.dependencies) {
+    files.insert({table.where.file, table.source_file});
+    for (const TableRow& row : table.rows) files.insert(row.where.file);
+  }
+}
+
 }  // namespace
 
 std::optional<std::string> hash_of_surroundings(const BatchArguments& arguments, FileHashes& hashes, Session& session) {
   ProgramOptions program = arguments.program;
   const std::optional<RunOptions> options = program.make(session);
   if (!options) return std::nullopt;
-  std::set<std::string> files{"/proc/self/exe", program.machine};
+  std::set<std::string> files{"/proc/self/exe"};
+  add_files_of_tables(program, *options, session, files);
   // The files of a dialect and its plugins are known once they are loaded, which untrusted ones are in the sandbox
   // only.
   if (program.dialect.empty() || arguments.untrusted.on) {

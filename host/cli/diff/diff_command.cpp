@@ -42,14 +42,7 @@ struct DiffCommand : DiffRequest {
 
 std::optional<RunOfSide> DiffCommand::prepare(std::size_t side, const KeptProgram& text, Work& work, Session& session) {
   ProgramOptions options = program;
-  if (!dialects[side].empty()) {
-    options.dialect = dialects[side];
-    options.machine.clear();
-  }
-  if (!machines[side].empty()) {
-    options.machine = machines[side];
-    options.dialect = dialects[side];
-  }
+  if (!options.take_side(dialects[side], machines[side], session)) return std::nullopt;
   options.set.insert(options.set.end(), sets[side].begin(), sets[side].end());
   std::optional<RunOptions> made = options.make(session);
   if (!made) return std::nullopt;
@@ -107,6 +100,11 @@ int DiffCommand::compare_pair(const RunOfSide& a, const RunOfSide& b, const Line
       if (!report.faults[side].empty())
         return trouble(side == 0 ? a : b, report.faults[side], report.reported_by_fault[side], session);
     report_cuts(a, b, report.is_cut, session);
+    for (std::size_t side = 0; side < 2; ++side)
+      if (const std::optional<Diagnostic>& error = report.first_error[side])
+        session.report(
+            "IG-0184", error->where,
+            {(side == 0 ? a : b).side.name, std::to_string(report.errors[side]), error->message, error->code});
     text_ += (text_.empty() ? "" : "\n") + as_text(report);
     if (json || !page.empty()) comparisons_.push_back(as_json(report));
     return report.parted == 0 ? success : input_errors;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,8 @@ struct MotionReport {
   std::array<std::string, 2> faults;
   std::array<std::vector<Diagnostic>, 2> reported_by_fault;
   std::array<bool, 2> is_cut{};  ///< ended by its errors
+  std::array<std::uint64_t, 2> errors{};
+  std::array<std::optional<Diagnostic>, 2> first_error;
 };
 
 MotionReport compare_motions(const RunOfSide& a, const RunOfSide& b, const LineOrder* order, const Tolerance& tolerance,

@@ -14,19 +14,6 @@ bool Viewer::has_two_sides() const {
   return false;
 }
 
-ProgramOptions Viewer::side(std::size_t number) const {
-  ProgramOptions out = options_.program;
-  if (!options_.dialects[number].empty()) {
-    out.dialect = options_.dialects[number];
-    out.machine.clear();
-  }
-  if (!options_.machines[number].empty()) {
-    out.machine = options_.machines[number];
-    out.dialect = options_.dialects[number];
-  }
-  return out;
-}
-
 bool Viewer::load(Session& session) {
   Viewed made;
   made.program = KeptProgram::open(options_.path, session);
@@ -35,7 +22,9 @@ bool Viewer::load(Session& session) {
   for (std::size_t i = 0; i < sides; ++i) {
     ToolPathOptions path = options_.moves;
     path.keeps_ends = sides == 2;
-    made.runs.push_back(run_path(*made.program, side(i), path, {}, session));
+    ProgramOptions of_side = options_.program;
+    if (!of_side.take_side(options_.dialects[i], options_.machines[i], session)) return false;
+    made.runs.push_back(run_path(*made.program, of_side, path, {}, session));
     if (made.runs.back() == nullptr) return false;
   }
   constexpr std::size_t most_differences = 1'000;

@@ -37,7 +37,6 @@ class Viewer {
 
  private:
   bool has_two_sides() const;
-  ProgramOptions side(std::size_t number) const;
 
   ViewOptions options_;
   Viewed viewed_;
