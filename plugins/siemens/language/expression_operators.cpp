@@ -3,12 +3,19 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "language/siemens_expression.hpp"
 
 namespace siemens {
 
 using namespace ig::cnc;
+
+namespace {
+
+constexpr double relative_equality = 1e-12;
+
+}  // namespace
 
 std::string text_of(const Value& v) {
   if (v.is_text()) return v.text;
@@ -30,12 +37,14 @@ std::optional<Value> Expression::apply(std::string_view op, const Value& l, cons
   }
   if (l.is_text() || r.is_text()) return fail(ig::diag("SIE-0107"), begin, shown(begin));
   const double a = l.number, c = r.number;
-  if (op == "==") return Value::truth(a == c);
-  if (op == "<>") return Value::truth(a != c);
-  if (op == "<") return Value::truth(a < c);
-  if (op == ">") return Value::truth(a > c);
-  if (op == "<=") return Value::truth(a <= c);
-  if (op == ">=") return Value::truth(a >= c);
+  // The control compares with a relative equality (Job planning, "Precision correction on comparison errors").
+  const bool is_same = a == c || std::fabs(a - c) <= relative_equality * std::fmax(std::fabs(a), std::fabs(c));
+  if (op == "==") return Value::truth(is_same);
+  if (op == "<>") return Value::truth(!is_same);
+  if (op == "<") return Value::truth(a < c && !is_same);
+  if (op == ">") return Value::truth(a > c && !is_same);
+  if (op == "<=") return Value::truth(a < c || is_same);
+  if (op == ">=") return Value::truth(a > c || is_same);
   if (op == "AND") return Value::truth(a != 0 && c != 0);
   if (op == "OR") return Value::truth(a != 0 || c != 0);
   if (op == "XOR") return Value::truth((a != 0) != (c != 0));

@@ -49,9 +49,14 @@ class SystemAssignment {
     }
     const bool is_part = name.starts_with("$P_PFRAME[");
     if (is_output(name)) return output(b, text, begin, equals, name);
-    if (environment_.system.write(b, name, std::nullopt) == Written::without_effect) return {last};
+    // Only the value is passed over: words behind it are executed.
+    if (environment_.system.write(b, name, std::nullopt) == Written::without_effect)
+      return {.end = value_at, .is_fault = true};
     const bool is_store = name.starts_with("$AC_MARKER[") || name.starts_with("$AC_PARAM[");
-    if (!is_store && !is_part && !SystemData::takes(name)) return refuse(last);
+    if (!is_store && !is_part && !SystemData::takes(name)) {
+      refuse(equals);
+      return {.end = value_at, .is_fault = true};
+    }
     Expression e(b, environment_, text, value_at);
     const auto value = e.value();
     const std::size_t end = std::max(e.position(), equals + 1);

@@ -92,7 +92,9 @@ std::optional<double> SystemData::position(const ig::Block& b, const Name& name)
   const std::size_t axis = name.count == 1 ? axis_of(name.index[0]) : std::string_view::npos;
   if (axis == std::string_view::npos) return std::nullopt;
   const auto at = b.get(of_machine || axis > 2 ? machine_[axis] : program_[axis]);
-  if (of_machine || axis < 3 || !at) return at;
+  if (!at) return at;
+  if (axis < 3) return *at / unit(b);
+  if (of_machine) return at;
   return *at - (turned_.get(b).value[axis - 3] + programmable_.get(b).value[axis - 3]);
 }
 
@@ -105,7 +107,9 @@ std::optional<double> SystemData::measured(const ig::Block& b, const Name& name)
   const std::size_t axis = name.count == 1 ? axis_of(name.index[0]) : std::string_view::npos;
   if ((!of_machine && name.base != "$AA_MW") || axis == std::string_view::npos) return std::nullopt;
   const auto at = b.get(of_machine || axis > 2 ? measured_.machine(axis) : measured_.program(axis));
-  if (of_machine || axis < 3 || !at) return at;
+  if (!at) return at;
+  if (axis < 3) return *at / unit(b);
+  if (of_machine) return at;
   return *at - (turned_.get(b).value[axis - 3] + programmable_.get(b).value[axis - 3]);
 }
 
@@ -150,7 +154,10 @@ std::optional<double> SystemData::plain(const ig::Block& b, std::string_view nam
   if (name == "$P_TOOL") return static_cast<double>(b.get_or(edge_, std::int64_t{0}));
   if (name == "$P_TOOLR")
     if (const auto own = offset(b, row, 2), wear = offset(b, row, 3); own && wear) return *own + *wear;
-  if (name == "$P_F" || name == "$AC_F") return b.get(feed_);
+  if (name == "$P_F" || name == "$AC_F") {
+    const auto feed = b.get(feed_);
+    return feed && !b.is(feed_mode_, g93_) ? std::optional(*feed / unit(b)) : feed;
+  }
   if (name == "$P_S") return b.get(speed_);
   if (name == "$P_SDIR") return b.is(direction_, cw_) ? 3 : b.is(direction_, ccw_) ? 4 : 5;
   if (name == "$P_UIFRNUM") return offset_number(b) - 1;

@@ -110,6 +110,7 @@ class SystemData {
       "ToolHeightCompensation.Edge", ig::read, {ig::Life::modal, "", "D: the cutting edge in force; 0: none."}};
   ig::In<double> length_{"ToolHeightCompensation.Offset_mm"};
   ig::In<double> feed_{"Feedrate.FeedrateValue"};
+  ig::Name g93_{"G93"};
   ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
   ig::In<ig::Symbol> direction_{"SpindleSpeed.Direction"};
   ig::In<ig::Symbol> offset_id_{"CoordinateOffset.CoordinateId"};

@@ -85,13 +85,14 @@ ig::Symbol WordReader::take_mode(ig::Block& b, std::string_view text, std::size_
 std::size_t WordReader::line_end_of_fault(std::string_view text, std::size_t position) {
   for (std::size_t end = position;;) {
     while (end < text.size() && std::string_view(" \t;\r\n").find(text[end]) == std::string_view::npos)
-      end = text[end] == '(' ? std::max(skip_call(text, end), end + 1) : end + 1;
+      end = text[end] == '('   ? std::max(skip_call(text, end), end + 1)
+            : text[end] == '"' ? std::min(text.find('"', end + 1), text.size() - 1) + 1
+                               : end + 1;
     std::size_t next = skip_blanks(text, end);
     constexpr std::string_view joining = "+-*/<>";
     if (next >= text.size() || joining.find(text[next]) == std::string_view::npos) return end;
     while (next < text.size() && joining.find(text[next]) != std::string_view::npos) ++next;
     end = skip_blanks(text, next);
-    if (at(text, end) == '"') end = std::min(text.find('"', end + 1), text.size() - 1) + 1;
   }
 }
 
