@@ -29,7 +29,7 @@ std::size_t ApproachWords::scan(ig::Block& b, const Values& values, std::string_
   for (const Measure& measure :
        {Measure{"LEN", found.length}, Measure{"CCA", found.angle}, Measure{"R", found.radius}}) {
     const std::size_t number = before_value(text, position, measure.name);
-    const bool is_side = measure.name == "R" && at(text, number) == '0';
+    const bool is_side = measure.name == "R" && ContourSide::ends(text, position);
     if (number == position || is_side) continue;
     const Value v = values.read(b, text, number);
     if (v.ok)

@@ -19,6 +19,10 @@ bool ContourSide::begins(std::string_view text, std::size_t position) {
   return (d == 'L' || d == 'R') && ends_with_second_letter(text, position);
 }
 
+bool ContourSide::ends(std::string_view text, std::size_t position) {
+  return at(text, position + 1) == '0' && ends_with_second_letter(text, position);
+}
+
 std::size_t ContourSide::scan(ig::Block& b, std::string_view text, std::size_t position, bool& is_beside) const {
   const char d = to_upper(at(text, position + 1));
   if (begins(text, position)) {
@@ -26,7 +30,7 @@ std::size_t ContourSide::scan(ig::Block& b, std::string_view text, std::size_t p
     set(b, d == 'L' ? left : right, position, position + 2);
     return position + 2;
   }
-  if (d == '0' && ends_with_second_letter(text, position)) {
+  if (ends(text, position)) {
     end(b, position, position + 2);
     return position + 2;
   }

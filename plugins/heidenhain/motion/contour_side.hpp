@@ -12,6 +12,8 @@ class ContourSide {
  public:
   /// True where RL or RR stands at `position`.
   static bool begins(std::string_view text, std::size_t position);
+  /// True where R0 stands at `position`, and not the radius R0.5.
+  static bool ends(std::string_view text, std::size_t position);
   /// Reads R0, RL, RR, or R alone, a prompt that was not answered; `is_beside` becomes true for RL and RR. Returns the
   /// position after the word, `position` where it is none of them. R+ and R- are reported.
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position, bool& is_beside) const;

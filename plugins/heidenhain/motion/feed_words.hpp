@@ -30,12 +30,14 @@ class FeedWords {
         kind.remove_suffix(1);
     if (is("MAX") || is("AUTO")) {
       end = static_cast<std::size_t>(kind.data() + kind.size() - text.data());
-      if (is("MAX"))
+      if (is("MAX")) {
         is_rapid = true;
-      else if (const auto feed = b.get(tool_feed_))
+      } else if (const auto feed = b.get(tool_feed_)) {
+        select_mode(b, b.is_raised(tool_feed_per_revolution_), position, end);
         put_word(b, f_.id(), position, end, *feed);
-      else
+      } else {
         b.report(ig::diag("HEI-0138"), ig::Where::columns(position, end));
+      }
       return end;
     }
     const char by = kind.empty() ? '\0' : to_upper(kind[0]);
@@ -52,10 +54,7 @@ class FeedWords {
       b.report(ig::diag("HEI-0136"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
       return v.end;
     }
-    const bool was_per_revolution = b.is(mode_, g95_);
-    if (is_per_revolution && !was_per_revolution) put_code(b, modes_.id(1), position, v.end);
-    if (!is_per_revolution && was_per_revolution && !b.is_raised(per_revolution_))
-      put_code(b, modes_.id(0), position, v.end);
+    select_mode(b, is_per_revolution, position, v.end);
     if (b.has(f_))
       b.report(ig::diag("HEI-0106"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
     put_word(b, f_.id(), position, v.end, is_per_revolution ? v.number : unit_.in_unit(b, v.number));
@@ -63,17 +62,33 @@ class FeedWords {
   }
 
   /// Keeps the F of TOOL CALL, which is in force and is the meaning of F AUTO.
-  void keep(ig::Block& b, double feed) const { b.set(tool_feed_, feed); }
+  void keep(ig::Block& b, double feed) const {
+    b.set(tool_feed_, feed);
+    const bool is_per_revolution = b.has(modes_.id(1)) || (b.is(mode_, g95_) && !b.has(modes_.id(0)));
+    if (is_per_revolution)
+      b.raise(tool_feed_per_revolution_);
+    else
+      b.erase(tool_feed_per_revolution_);
+  }
   std::optional<double> word(const ig::Block& b) const { return b.get(f_); }
   const FeedUnit& unit() const { return unit_; }
   std::optional<double> of_tool_call(const ig::Block& b) const { return b.get(tool_feed_); }
 
  private:
+  /// FU counts mm a revolution, every other F mm a minute, unless M136 is in force.
+  void select_mode(ig::Block& b, bool is_per_revolution, std::size_t begin, std::size_t end) const {
+    const bool was_per_revolution = b.is(mode_, g95_);
+    if (is_per_revolution && !was_per_revolution) put_code(b, modes_.id(1), begin, end);
+    if (!is_per_revolution && was_per_revolution && !b.is_raised(per_revolution_))
+      put_code(b, modes_.id(0), begin, end);
+  }
+
   ig::Field<double> f_{"Parsing.F", ig::read | ig::write, {ig::Life::standard, "mm/min", ""}};
   ig::Out<double> tool_feed_{
       "KlartextFeed.ToolCall",
       {ig::Life::modal, "", "F of the last TOOL CALL, which F AUTO means; in the program's unit."}};
-  ig::Codes modes_{{"G94", "G95"}, ig::write};
+  ig::Signal tool_feed_per_revolution_{"KlartextFeed.~ToolCallPerRevolution", ig::read | ig::write, ig::Life::modal};
+  ig::Codes modes_{{"G94", "G95"}, ig::read | ig::write};
   ig::In<ig::Symbol> mode_{"Feedrate.Term"};
   FeedUnit unit_;
   ig::Signal per_revolution_{"KlartextFeed.~PerRevolution", ig::read, ig::Life::modal};

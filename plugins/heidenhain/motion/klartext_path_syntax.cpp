@@ -165,7 +165,8 @@ struct KlartextPath {
       case 'F': return feed_.scan(b, values_, text, i, path.is_rapid);
       case 'M': return m_.scan(b, values_, text, i);
       case 'R':
-        if (path.function == CR && !ContourSide::begins(text, i)) return put(b, text, i, i + 1, radius_, path);
+        if (path.function == CR && !ContourSide::begins(text, i) && !(ContourSide::ends(text, i) && b.has(radius_)))
+          return put(b, text, i, i + 1, radius_, path);
         return side_.scan(b, text, i, path.approach.is_beside);
       case 'D': {
         const std::size_t sign = skip_blanks(text, i + 2);

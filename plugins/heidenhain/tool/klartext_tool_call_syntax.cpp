@@ -38,6 +38,7 @@ struct KlartextToolCall {
   ig::Signal delta_changed_{"ToolHeightCompensation.~TableChanged", ig::write};
   ig::Out<double> radius_delta_{"RadiusCompensation.Delta_mm",
                                 {ig::Life::modal, "mm", "What the tool call adds to the radius of the table."}};
+  ig::Previous<std::int64_t> row_{"ToolHeightCompensation.OffsetId"};
   ProgramUnit unit_;
   CalledTools tools_;
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional,
@@ -74,6 +75,7 @@ struct KlartextToolCall {
     }
     if (const auto feed = feed_.word(b)) feed_.keep(b, *feed);
     if (tool.is_given || has_delta) set_deltas(b, length, radius);
+    if (!tool.is_given && has_delta) note_parameters(b, static_cast<double>(b.get_or(row_, std::int64_t{-1})), radius);
     if (!tool.is_known) return;
     put_word(b, t_.id(), begin, begin + 9, tool.number);
     put_code(b, change_.id(0), begin, begin + 9);
@@ -125,7 +127,8 @@ struct KlartextToolCall {
       const double mm = tool_dimension(table_, static_cast<std::int64_t>(tool), which).value_or(0);
       return mm != 0 && std::isfinite(mm) ? mm : QStore::undefined;
     };
-    const double radius = sum(ToolDimension::radius) + delta, length = sum(ToolDimension::length);
+    const double unit = unit_.in_mm(b);  // parameters count in the unit of the program
+    const double radius = (sum(ToolDimension::radius) + delta) / unit, length = sum(ToolDimension::length) / unit;
     store->set_of_tool(QStore::radius_of_tool, radius);
     store->set_of_tool(QStore::length_of_tool, length);
     if (!std::isnan(radius)) values_.note(b, QStore::radius_of_tool, radius);
