@@ -199,6 +199,11 @@ class MacroEnvironment : public MacroFrame {
   std::array<ig::In<double>, 3> shift_{ig::In<double>{"WorkCoordinateShift.Offset_X"},
                                        ig::In<double>{"WorkCoordinateShift.Offset_Y"},
                                        ig::In<double>{"WorkCoordinateShift.Offset_Z"}};
+  static constexpr ig::About dynamic_offset_about{ig::Life::modal, "mm", ""};
+  std::array<ig::In<double>, 3> dynamic_offset_{
+      ig::In<double>{"DynamicWorkOffset.Offset_X", ig::read, dynamic_offset_about},
+      ig::In<double>{"DynamicWorkOffset.Offset_Y", ig::read, dynamic_offset_about},
+      ig::In<double>{"DynamicWorkOffset.Offset_Z", ig::read, dynamic_offset_about}};
   std::array<ig_field, 2> read_{
       ig::detail::declare_field({{"Vars.Read[].Variable"},
                                  IG_NUMBER,

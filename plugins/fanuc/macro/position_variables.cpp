@@ -38,7 +38,7 @@ double MacroEnvironment::work_position(const ig::Block& b, std::size_t axis) con
   const ig::PartialVec3 position = b.get(machine_xyz_);
   if (!position.has(axis)) return program_xyz(b)[axis];
   return position.value[axis] - b.get_or(work_origin_[axis], 0.0) - b.get_or(local_origin_[axis], 0.0) -
-         b.get_or(shift_[axis], 0.0);
+         b.get_or(shift_[axis], 0.0) - b.get_or(dynamic_offset_[axis], 0.0);
 }
 
 }  // namespace fanuc

@@ -120,6 +120,8 @@ struct FanucToolOffset {
 
   void apply(ig::Block& b, ig::Where where, std::string_view name, double by) const {
     std::array<std::optional<double>, 3> ways;
+    if (!get(b, axes_.id(0)) && !get(b, axes_.id(1)) && !get(b, axes_.id(2)))
+      b.report(ig::diag("FAN-0220"), where, name, std::string_view("its block names no axis"));
     const bool is_incremental = distance_.is_incremental(b);
     const ig::Vec3 from = is_incremental ? ig::Vec3{} : last_(b);
     for (std::size_t axis = 0; axis < 3; ++axis)

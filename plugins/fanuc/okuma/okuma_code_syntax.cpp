@@ -35,6 +35,7 @@ struct OkumaCode {
   ig::Call dwell_{{"G04"}, "F[s]"};
   ig::Call level_{{"G71"}, "Z"};
   ig::Codes returns_{"M53", "M54"};
+  ig::Codes to_limit_{{"M52"}, ig::read};  // ends M54; that the limit is higher is reported
   ig::Out<double> time_{"Dwell.Time"};
   ig::Field<double> return_level_{"CannedCycle.ReturnLevel",
                                   ig::read | ig::write,
@@ -49,12 +50,17 @@ struct OkumaCode {
     bool any = wait(b);
     if (const auto words = b.take(level_)) {
       any = true;
-      if (const auto z = (*words)['Z']) b.set(return_level_, *z);
+      if (const auto z = (*words)['Z'])
+        b.set(return_level_, *z);
+      else
+        b.report(ig::diag("FAN-0201"), ig::Where::word(level_.code(words->row)), b.text(words->code),
+                 std::string_view("Z, the level, is missing"));
     }
     if (const auto code = b.take(returns_)) {
       any = true;
       return_to(b, *code);
     }
+    if (b.find(to_limit_)) return_to_initial(b);
     return codes_.report(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
 
@@ -71,13 +77,18 @@ struct OkumaCode {
     return true;
   }
 
+  void return_to_initial(ig::Block& b) const {
+    b.erase(return_to_r_);
+    if (b.has(return_mode_)) b.amend(return_mode_, static_cast<ig::Symbol>(g98_));
+  }
+
   void return_to(ig::Block& b, std::size_t code) const {
-    if (code == to_r)
+    if (code == to_r) {
       b.raise(return_to_r_);
-    else
-      b.erase(return_to_r_);
-    if (b.has(return_mode_)) b.amend(return_mode_, static_cast<ig::Symbol>(code == to_r ? g99_ : g98_));
-    if (code == to_r) return;
+      if (b.has(return_mode_)) b.amend(return_mode_, static_cast<ig::Symbol>(g99_));
+      return;
+    }
+    return_to_initial(b);
     const double level = b.get(initial_level_).value_or(b.get_or(tool_, 0.0));
     const auto named = b.get(return_level_);
     if (!named || std::fabs(*named - level) > 1e-6)

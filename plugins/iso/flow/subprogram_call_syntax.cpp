@@ -79,11 +79,7 @@ struct SubprogramCall {
     const std::string_view name = b.text(file_name_);
     const auto row = b.find(call_);
     if (!row || !is_answered(*row)) {
-      if (name.empty() || b.find(other_calls_)) return ig::Status::unchanged;
-      const std::size_t begin = b.source().find(name);
-      b.report(ig::diag("ISO-0492"),
-               begin == std::string_view::npos ? ig::Where::block() : ig::Where::columns(begin, begin + name.size()),
-               name);
+      if (!name.empty() && !b.find(other_calls_)) report_lost(b, name);
       return ig::Status::unchanged;
     }
     Request request{*row, b.text(call_.name(*row)), ig::Where::word(call_.code(*row)), 0, 1, 0, *row == m97};
@@ -95,6 +91,7 @@ struct SubprogramCall {
     b.set(term_, call_.name(*row));
     if (start) request.start = static_cast<std::int64_t>(*start);
     if (l) count(b, request, *l);
+    if (p && !name.empty()) report_lost(b, name);
     if (p)
       number(b, request, *p, l.has_value());
     else if (!name.empty())
@@ -107,6 +104,13 @@ struct SubprogramCall {
   }
 
  private:
+  static void report_lost(ig::Block& b, std::string_view name) {
+    const std::size_t begin = b.source().find(name);
+    b.report(ig::diag("ISO-0492"),
+             begin == std::string_view::npos ? ig::Where::block() : ig::Where::columns(begin, begin + name.size()),
+             name);
+  }
+
   struct Request {
     std::size_t row;
     std::string_view code;
@@ -180,12 +184,18 @@ struct SubprogramCall {
 
   void named(ig::Block& b, Request& r, std::string_view name) const {
     b.set(l_, static_cast<std::int64_t>(r.repeats));
-    if (!may_call(b, r)) return;
+    if (!may_call(b, r, name)) return;
     const std::string_view inner = name.substr(1, name.size() - 2);
     const RowsOfPrograms::Called called{inner, r.repeats, r.where};
     if (builder_.goes_before(b, flow_, called)) return;
     const ig_text file = ig::to_text(inner);
-    const ig::Flow::Answer answer = flow_.call(b, {.program = name, .files = {&file, 1}, .repeats = r.repeats});
+    const NumberedName start('N', r.start);
+    const ig::Flow::Answer answer = flow_.call(b, {.program = name,
+                                                   .files = {&file, 1},
+                                                   .scope = r.row == 1 ? in_folders : anywhere,
+                                                   .repeats = r.repeats,
+                                                   .tag = r.start != 0 ? begins_inside : 0,
+                                                   .start = r.start != 0 ? start.text() : std::string_view()});
     if (answer.is_not_found() && builder_.replaces(b, flow_, called)) return;
     if (answer.is_not_found())
       b.report(ig::diag("ISO-0485"), r.where, name, answer.reason);
@@ -205,15 +215,15 @@ struct SubprogramCall {
     b.set(l_, static_cast<std::int64_t>(r.repeats));
   }
 
-  bool may_call(ig::Block& b, const Request& r) const {
+  bool may_call(ig::Block& b, const Request& r, std::string_view name = {}) const {
     if (r.repeats == 0) {
       b.report(ig::diag("ISO-0484"), r.where, r.code);
       return false;
     }
     const ig_frame frame = flow_.frame(b);
     if (levels_ == 0 || static_cast<std::int64_t>(frame.depth) < levels_) return true;
-    b.report(ig::diag("ISO-0486"), r.where, static_cast<double>(frame.depth),
-             NumberedName(r.is_local ? 'N' : 'O', r.program).text());
+    const NumberedName number(r.is_local ? 'N' : 'O', r.program);
+    b.report(ig::diag("ISO-0486"), r.where, static_cast<double>(frame.depth), name.empty() ? number.text() : name);
     b.alarm();
     return false;
   }

@@ -51,6 +51,7 @@ struct Scaling {
                                     "itself, or counts all the same."};
   double least_ = factor_unit_ < 1 ? 1 : 0.001;  // in counts; whole factors have decimals
   double unit_ = factor_unit_ > 0 ? double{factor_unit_} : config_.number("ScalingUnit").value_or(0.001);
+  std::optional<double> fixed_factor_ = config_.number("ScalingFactor");
 
   ig::Status build(ig::Block& b) {
     bool changed = false;
@@ -80,9 +81,8 @@ struct Scaling {
     ig::Vec3 center = last_(b), factor{1, 1, 1};
     const bool has_own = words['I'] || words['J'] || words['K'];
     if (!has_own && !words['P']) {
-      const auto fixed = config_.number("ScalingFactor");
-      if (!fixed) b.report(ig::diag("ISO-0387"), ig::Where::word(g51_.code(0)));
-      factor = fixed.value_or(1) * factor;
+      if (!fixed_factor_) b.report(ig::diag("ISO-0387"), ig::Where::word(g51_.code(0)));
+      factor = fixed_factor_.value_or(1) * factor;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       center[axis] = words["XYZ"[axis]].value_or(center[axis]);

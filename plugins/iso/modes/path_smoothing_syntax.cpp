@@ -1,6 +1,8 @@
 /// G05.1, G05 and G08: look-ahead, contour and high-speed control. They change speeds and round corners within a
 /// tolerance that the machine builder has set; the programmed path does not change, and the mode in force is recorded.
 
+#include <cmath>
+
 #include <isogloss/sdk.hpp>
 
 namespace iso {
@@ -18,7 +20,7 @@ struct PathSmoothing {
   };
 
   // X0 Y0 Z0 beside G05.1 name axes and do not move them.
-  ig::Call contour_{{"G05.1"}, "P[] Q[] R[] X Y Z A B C"};
+  ig::Call contour_{{"G05.1"}, "Q[] R[] X Y Z A B C"};
   ig::Call high_speed_{{"G05"}, "P[]"};
   ig::Call look_ahead_{{"G08"}, "P[]"};
   ig::Out<bool> is_enabled_{"PathSmoothing.IsEnabled"};
@@ -31,7 +33,7 @@ struct PathSmoothing {
       const auto q = (*words)['Q'];
       any = true;
       report_moves(b, *words);
-      if (!q || !(*q >= 0 && *q <= 3))
+      if (!q || !(*q >= 0 && *q <= 3 && *q == std::floor(*q)))
         refuse(b, contour_, "Q", q);
       else
         record(b, words->code, *q > 0, *q > 0 ? (*words)['R'] : std::nullopt);

@@ -33,6 +33,9 @@ struct ReferenceReturn {
                                       "Whether G28 ends G43 and G44 when the axes have arrived."};
   ig::Out<ig::Symbol> compensation_{"ToolHeightCompensation.Term"};
   ig::Field<double> offset_{"ToolHeightCompensation.Offset_mm", ig::read | ig::write};
+  ig::Field<double> untravelled_{"ToolHeightCompensation.Untravelled_mm",
+                                 ig::read | ig::write,
+                                 {ig::Life::modal, "mm", "Change of the length that the next Z under G91 moves by."}};
   ig::Transform frame_{"ToolHeightCompensation", ig::read | ig::write};
   std::array<FurtherAxisOrder, 4> further_{FurtherAxisOrder{"R1"}, FurtherAxisOrder{"R2"}, FurtherAxisOrder{"R3"},
                                            FurtherAxisOrder{"R4"}};
@@ -105,6 +108,13 @@ struct ReferenceReturn {
     if (!b.is(compensation_, g43_) && !b.is(compensation_, g44_)) return;
     const ig::PartialVec3 machine = b.get(move_.machine);
     b.set(compensation_, g49_);
+    if (b.has(untravelled_)) {
+      const double left = b.get_or(untravelled_, 0.0) - b.get_or(offset_, 0.0);
+      if (left != 0)
+        b.set(untravelled_, left);
+      else
+        b.erase(untravelled_);
+    }
     b.set(offset_, 0.0);
     b.set_translation(frame_, {});
     if (const auto here = b.to_program(machine.value)) b.set(move_.program, rounded(*here));

@@ -43,9 +43,11 @@ class TurningFeed {
   double turn(const ig::Block& b) const {
     const PartialAngles from = rotary_before_.get(b), to = rotary_.get(b);
     double sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (from.has(axis) && to.has(axis))
-        sum += (to.value[axis] - from.value[axis]) * (to.value[axis] - from.value[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!to.has(axis)) continue;
+      const double way = to.value[axis] - (from.has(axis) ? from.value[axis] : 0);  // an axis without a place is at 0
+      sum += way * way;
+    }
     return std::sqrt(sum);
   }
 

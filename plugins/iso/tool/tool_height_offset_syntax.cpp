@@ -47,7 +47,7 @@ struct ToolHeightOffset {
                                  ig::read | ig::write | ig::wake_while,
                                  {ig::Life::modal, "mm", "Change of the length that the next Z under G91 moves by."}};
   ig::Word z_{"Parsing.Z", ig::read | ig::write};
-  ig::Call returns_{{"G28", "G30"}, "Z", ig::read};
+  ig::Call returns_{{"G27", "G28", "G29", "G30"}, "Z", ig::read};
   CycleCalls cycles_{"X Y Z R", ig::read};
   CycleInForce cycle_;
   std::array<ig::Word, 6> places_{ig::Word{"Parsing.X", ig::read},        ig::Word{"Parsing.Y", ig::read},
