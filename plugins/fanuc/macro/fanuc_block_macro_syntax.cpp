@@ -26,6 +26,7 @@ struct FanucBlockMacro {
   ArgumentUnits units_;
   ig::Signal modal_{"MacroCall.~Modal", ig::read | ig::wake_while, ig::Life::modal};
   ig::Signal statement_{"Parsing.~MacroStatement", ig::read}, call_{"Parsing.~MacroCall", ig::read};
+  ig::Codes returns_{{"M99"}, ig::read};
   std::vector<ig_field> g_codes_, m_codes_;
   std::vector<double> g_numbers_, m_numbers_;
 
@@ -54,6 +55,7 @@ struct FanucBlockMacro {
     std::uint32_t found = 0;
     const std::int32_t g = b.find_code(g_codes_.data(), size_of(g_codes_), &found);
     if (g >= 0 && g_numbers_[static_cast<std::size_t>(g)] == 67) return ig::Status::unchanged;
+    if (b.find(returns_)) return ig::Status::unchanged;  // P names where M99 goes on
     MacroStore::Locals arguments = MacroStore::no_locals();
     bool any = g >= 0;
     if (any) arguments[10] = g_numbers_[static_cast<std::size_t>(g)];

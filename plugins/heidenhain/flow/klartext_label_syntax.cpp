@@ -6,6 +6,7 @@
 #include "language/block_words.hpp"
 #include "language/file_name.hpp"
 #include "language/klartext_values.hpp"
+#include "motion/contour_side.hpp"
 
 namespace heidenhain {
 
@@ -23,6 +24,7 @@ struct KlartextLabel {
       ig::diagnostic(IG_ERROR, "HEI-0373", "no program is selected, so none is called: program SEL PGM before it"),
   };
 
+  ContourSide side_;  // the call of a program ends RL and RR
   Values values_;
   ProgramsOfBuilder builder_;
   ig::Signal statement_{"Parsing.~KlartextLabel", ig::read | ig::write | ig::wake};
@@ -64,6 +66,7 @@ struct KlartextLabel {
       return end;
     }
     found_ = {found->kind, position, found->after, end};
+    if (found->kind == Kind::program || found->kind == Kind::selected) side_.end(b, position, found->after);
     b.raise(statement_);
     return end;
   }

@@ -2,6 +2,7 @@
 // PGM and sets the unit; END PGM ends the program, or returns to the caller. The blank form does not change the path.
 #include "language/block_words.hpp"
 #include "language/klartext_values.hpp"
+#include "language/program_unit.hpp"
 #include "motion/m_functions.hpp"
 
 namespace heidenhain {
@@ -24,6 +25,11 @@ struct KlartextProgram {
   MFunctions m_;
   ig::TextField program_{"Source.Program", ig::write};
   ig::Codes units_{{"G20", "G21"}, ig::write};
+  ProgramUnit unit_;
+  ig::Field<std::int64_t> inch_callers_{
+      "KlartextProgram.InchCallers",
+      ig::read | ig::write,
+      {ig::Life::modal, "", "A bit for each depth at which a program was called from one in inches."}};
   ig::Codes stop_{{"M00"}, ig::write};
   ig::Codes end_codes_{{"M02", "M30"}, ig::read | ig::wake};
   ig::Out<ig::Symbol> end_term_{"ProgramEnd.Term"};
@@ -40,6 +46,7 @@ struct KlartextProgram {
       const std::size_t end = statement_end(text, position);
       if (values_.is_indexing()) return end;
       b.raise(ends_);
+      give_back_unit(b, position);
       name_and_unit(b, text.substr(0, end), i, "END PGM");
       return end;
     }
@@ -145,8 +152,23 @@ struct KlartextProgram {
     if (found.unit.empty())
       b.report(ig::diag("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
                std::string_view("MM or INCH"));
+    keep_unit(b);
     put_code(b, units_.id(is_inch ? 0 : 1), position, position + 1);
     return end;
+  }
+
+  // The unit of a program that is called does not last in the one that calls it.
+  void keep_unit(ig::Block& b) const {
+    const std::uint32_t depth = values_.flow().frame(b).depth;
+    if (depth == 0 || depth >= 63) return;
+    const std::int64_t bit = std::int64_t{1} << depth, kept = b.get_or(inch_callers_, std::int64_t{0});
+    b.set(inch_callers_, unit_.is_inch(b) ? kept | bit : kept & ~bit);
+  }
+  void give_back_unit(ig::Block& b, std::size_t position) const {
+    const std::uint32_t depth = values_.flow().frame(b).depth;
+    if (depth == 0 || depth >= 63) return;
+    const bool is_inch = (b.get_or(inch_callers_, std::int64_t{0}) >> depth & 1) != 0;
+    if (is_inch != unit_.is_inch(b)) put_code(b, units_.id(is_inch ? 0 : 1), position, position + 1);
   }
 
   /// STOP, and M functions after it. M6 loads the tool that TOOL CALL named.

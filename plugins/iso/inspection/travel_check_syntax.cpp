@@ -58,7 +58,7 @@ struct TravelCheck {
   Axes position_ = each("MachineCoordinate.", ig::read | ig::wake);
   Step step_;
   ig::Xyz program_{"ProgramXyz", ig::read};
-  ig::Xyz center_{"MotionEvent.ArcCenter", ig::read};
+  ig::Xyz center_{"MotionEvent.ArcCenter", ig::read | ig::wake};
   ig::In<bool> is_ccw_{"MotionEvent.IsCcw"};
   LastProgramXyz last_;
   PlaneInForce plane_;
@@ -106,10 +106,12 @@ struct TravelCheck {
 
   /// Checks the position at the end of the block.
   std::uint32_t check_end(ig::Block& b, std::uint32_t outside) const {
+    const bool is_arc = b.get(center_).complete();
     for (std::uint32_t rest = limited_; rest != 0; rest &= rest - 1) {
       const std::size_t axis = axis_of(rest);
       ig_value v;
-      if (b.is_fresh(position_[axis]) && b.get(position_[axis], v)) outside = check_axis(b, axis, v.number, outside);
+      const bool is_named = b.is_fresh(position_[axis]) || (is_arc && axis < 3);  // a full circle ends where it began
+      if (is_named && b.get(position_[axis], v)) outside = check_axis(b, axis, v.number, outside);
     }
     return outside;
   }
@@ -117,7 +119,7 @@ struct TravelCheck {
   /// Checks X, Y and Z between the ends of the move.
   std::uint32_t check_between(ig::Block& b, std::uint32_t outside) const {
     const ig::PartialVec3 center = b.get(center_);
-    if (center.complete() && (b.fresh_many(position_.data(), 3) & limited_) != 0) {
+    if (center.complete()) {
       const ig::Vec3 start = last_(b);
       outside = check_arc(b, {start, b.get(program_).or_else(start), center.value, b.get_or(is_ccw_, false)}, outside);
     }

@@ -64,9 +64,13 @@ std::size_t WordReader::machine_name_end(ig::Block& b, std::string_view text, st
 
 bool WordReader::is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const {
   const std::size_t end = skip_short_name(text, begin), equals = skip_blanks(text, end);
-  if (at(text, equals) != '=' || at(text, equals + 1) == '=' || environment_.flow.is_indexing()) return false;
+  const bool is_element = at(text, equals) == '[';
+  if ((!is_element && (at(text, equals) != '=' || at(text, equals + 1) == '=')) || environment_.flow.is_indexing())
+    return false;
   environment_.enter(b);
-  return environment_.store().find(upper(piece(text, begin, end))) != nullptr;
+  const std::string name = upper(piece(text, begin, end));
+  return is_element ? environment_.store().array_of(name + "[0]") != nullptr
+                    : environment_.store().find(name) != nullptr;
 }
 
 std::size_t WordReader::refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,

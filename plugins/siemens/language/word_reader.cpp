@@ -96,9 +96,9 @@ std::size_t WordReader::item(ig::Block& b, std::string_view text, std::size_t be
     return valued(b, text, begin, end, skip_blanks(text, end) + 1, run);
   if (c == '$' || c == '_' || is_name_start(d)) return named(b, text, begin, run);
   if (c == 'R' && (is_digit(d) || d == '[')) return assignment(b, text, begin, run);
-  if (is_digit(d) && is_assigned_variable(b, text, begin)) return assignment(b, text, begin, run);
   const std::size_t number = skip_blanks(text, second);
   const char v = at(text, number);
+  if ((is_digit(d) || v == '=') && is_assigned_variable(b, text, begin)) return assignment(b, text, begin, run);
   if (v == '=' && at(text, number + 1) != '=') return valued(b, text, begin, second, number + 1, run);
   if (v == '[') return named(b, text, begin, run);
   if (!begins_number(v)) return empty_word(b, text, begin);

@@ -1,0 +1,14 @@
+%
+O1 (under G66.1 M99 goes on at P)
+G21 G90 G17 G54
+G66.1 P5
+X1.
+M99 P10
+X2.
+N10 G67
+G00 X3.
+M30
+O5
+G00 Y#24
+M99
+%
