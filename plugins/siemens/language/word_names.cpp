@@ -64,13 +64,11 @@ std::size_t WordReader::machine_name_end(ig::Block& b, std::string_view text, st
 
 bool WordReader::is_assigned_variable(ig::Block& b, std::string_view text, std::size_t begin) const {
   const std::size_t end = skip_short_name(text, begin), equals = skip_blanks(text, end);
-  const bool is_element = at(text, equals) == '[';
-  if ((!is_element && (at(text, equals) != '=' || at(text, equals + 1) == '=')) || environment_.flow.is_indexing())
-    return false;
+  if (at(text, equals) == '[') return true;  // X1[0]=5: no address with a number has an index
+  if (at(text, equals) != '=' || at(text, equals + 1) == '=' || environment_.flow.is_indexing()) return false;
+  if (!b.is_in_turn()) return true;  // what is defined is known in its turn
   environment_.enter(b);
-  const std::string name = upper(piece(text, begin, end));
-  return is_element ? environment_.store().array_of(name + "[0]") != nullptr
-                    : environment_.store().find(name) != nullptr;
+  return environment_.store().find(upper(piece(text, begin, end))) != nullptr;
 }
 
 std::size_t WordReader::refuse(ig::Block& b, ig::DiagnosticCode diagnostic, std::string_view text, std::size_t begin,
