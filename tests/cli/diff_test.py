@@ -268,6 +268,10 @@ class Diff(unittest.TestCase):
         done = self.diff(sound, broken, "-d", "fanuc", "--motions", status=0)
         self.assertRegex(done.stderr, r"broken.nc:4:1: warning: .*count: 1.*G777.*\[IG-0184\]")
         self.assertNotIn("sound.nc:", done.stderr)
+        warnings = HEAD + "".join(f"G0 X{number}\n" for number in range(30))
+        sound, broken = self.write("sound.nc", warnings + "M30\n"), self.write("late.nc", warnings + "G777\nM30\n")
+        done = self.diff(sound, broken, "-d", "fanuc", "--motions", status=0)
+        self.assertRegex(done.stderr, r"late.nc:34:1: warning: .*count: 1.*G777.*\[IG-0184\]")
         done = self.diff(sound, broken, "-d", "fanuc", "--motions", "--max-blocks", "2", status=0)
         self.assertEqual(done.stderr.count("[IG-0407] [IG-0184]"), 2)
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "diff/aligner.hpp"
@@ -183,9 +182,7 @@ MotionReport compare_motions(const RunOfSide& a, const RunOfSide& b, const LineO
     }
     report.is_cut[side] = limit.has_ended();
     report.errors[side] = said.errors();
-    const auto is_error = [](const Diagnostic& d) { return d.severity == Severity::error; };
-    const auto error = std::find_if(said.first().begin(), said.first().end(), is_error);
-    if (error != said.first().end()) report.first_error[side] = *error;
+    report.first_error[side] = said.first_error();
     if (!fault.empty()) report.reported_by_fault[side] = std::move(said.first());
     stream.finish(std::move(fault));
   };

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -26,14 +27,16 @@ class CountedReports : public DiagnosticSink {
  public:
   void add(Diagnostic diagnostic) override {
     constexpr std::size_t most = 20;
-    if (diagnostic.severity == Severity::error) ++errors_;
+    if (diagnostic.severity == Severity::error && ++errors_ == 1) first_error_ = diagnostic;
     if (first_.size() < most) first_.push_back(std::move(diagnostic));
   }
   std::uint64_t errors() const { return errors_; }
+  const std::optional<Diagnostic>& first_error() const { return first_error_; }
   std::vector<Diagnostic>& first() { return first_; }
 
  private:
   std::uint64_t errors_ = 0;
+  std::optional<Diagnostic> first_error_;
   std::vector<Diagnostic> first_;
 };
 
