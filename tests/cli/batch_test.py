@@ -211,6 +211,30 @@ class Batch(unittest.TestCase):
         self.batch("--subprograms", places)
         self.assertEqual(self.results()["main.nc"]["Status"], "ok")
 
+    def test_only_a_program_that_looked_for_others_depends_on_its_folder(self):
+        self.write("a.nc", BAD)
+        self.write("b.nc", GOOD.replace("M30", "M98 P7000\nM30"))
+        self.write("notes.txt", "one")
+        os.mkfifo(self.archive / "pipe.nc")  # nobody writes into it
+        self.batch("--include", "a.nc", "--include", "b.nc", status=1)
+        self.assertEqual(sorted(self.journal()), ["archive/a.nc", "archive/b.nc"])
+        self.write("notes.txt", "two")
+        self.write("c.txt", "")
+        self.batch("--include", "a.nc", "--include", "b.nc", status=1)
+        self.assertEqual(self.journal()[2:], ["archive/b.nc"])
+
+    def test_folders_of_a_machine_are_places_too(self):
+        self.write("a.nc", GOOD.replace("M30", "M98 P7000\nM30"))
+        programs = self.path / "shop" / "programs"
+        programs.mkdir(parents=True)
+        (self.path / "shop" / "machine.xml").write_text(
+            '<Machine xmlns="urn:isogloss:dialect:1" name="shop" title="Shop" dialect="fanuc"><Programs src="programs"/></Machine>')
+        named = ("--machines", ".", "-m", "shop")
+        self.batch(*named, dialect=(), status=1)
+        (programs / "O7000").write_text("O7000\nG0 X30.\nM99\n")
+        self.batch(*named, dialect=())
+        self.assertEqual(self.results()["a.nc"]["Status"], "ok")
+
     def test_tables_of_a_machine_and_what_they_include_count(self):
         self.write("a.nc", GOOD)
         (self.path / "machines").mkdir()

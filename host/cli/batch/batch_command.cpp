@@ -163,14 +163,11 @@ void Batch::finish(const std::string& program, const ChildEnd& end) {
   Finished finished{program, surroundings_, hashes_.of(program), {}, {}, {}};
   if (work)
     for (const std::string& file : work->called) finished.called[file] = hashes_.of(file);
-  // A program that calls others, or that could not be run as it is, may find others the next time.
-  if (!finished.called.empty() || result["Status"] != "ok") {
-    std::vector<std::string> folders{std::filesystem::path(program).parent_path().string()};
-    for (const std::string& place : arguments_.program.subprograms) folders.push_back(place);
-    // One that was not found is looked for in files of other names as well, by their contents.
-    for (const std::string& folder : folders)
-      finished.folders[folder] = hashes_.of_place(folder, result["Status"] == "errors");
-  }
+  // What is looked for may be another program the next time. Where a run that ended by a crash has looked is not known.
+  std::vector<std::string> places = arguments_.program.subprograms;
+  places.push_back(std::filesystem::path(program).parent_path().string());
+  for (const std::string& place : work ? work->places : places)
+    finished.places[place] = hashes_.of_place(place, work && work->looks_inside);
   finished.result = result.dump(-1, ' ', false, Json::error_handler_t::replace);
   finished.is_failure = result["Status"] != "ok" && result["Status"] != "errors";
   keep(finished);

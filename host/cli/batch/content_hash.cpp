@@ -15,6 +15,12 @@ namespace isogloss::cli::batch {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr std::uintmax_t largest_searched = std::uintmax_t{64} << 20;  // no program is looked for in a larger file
+
+}  // namespace
+
 std::string ContentHash::text() const { return fmt::format("{:016x}{:016x}", high, low); }
 
 ContentHash hash_of(std::string_view bytes) {
@@ -26,8 +32,9 @@ const std::string& FileHashes::of(const std::string& file) {
   const auto [at, is_new] = files_.try_emplace(file, "missing");
   if (!is_new) return at->second;
   std::error_code code;
+  if (!fs::is_regular_file(file, code)) return at->second;  // a pipe would wait for its writer
   std::ifstream in(file, std::ios::binary);
-  if (!in || !fs::is_regular_file(file, code)) return at->second;
+  if (!in) return at->second;
   const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
   XXH3_128bits_reset(state.get());
   std::string buffer(std::size_t{1} << 18, '\0');
@@ -49,7 +56,8 @@ const std::string& FileHashes::of_place(const std::string& place, bool with_cont
   std::string all;
   for (const std::string& name : names) {
     all.append(name).push_back('\0');
-    if (with_contents) all.append(of((fs::path(place) / name).string()));
+    const fs::path file = fs::path(place) / name;
+    if (with_contents && fs::file_size(file, code) <= largest_searched) all.append(of(file.string()));
   }
   at->second = hash_of(all).text();
   if (with_contents) at->second.insert(at->second.begin(), contents_mark);

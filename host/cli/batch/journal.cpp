@@ -43,7 +43,7 @@ std::optional<Finished> read_line(const std::string& line) {
                     all.at("Surroundings").get<std::string>(),
                     all.at("Content").get<std::string>(),
                     with_names(all.at("Called").get<Hashes>()),
-                    with_names(all.at("Folders").get<Hashes>()),
+                    with_names(all.at("Places").get<Hashes>()),
                     all.at("Result").dump(),
                     status != "ok" && status != "errors"};
   } catch (const Json::exception&) {
@@ -111,7 +111,7 @@ std::string Journal::append(const Finished& finished) {
                  {"Surroundings", finished.surroundings},
                  {"Content", finished.content},
                  {"Called", with_texts(finished.called)},
-                 {"Folders", with_texts(finished.folders)},
+                 {"Places", with_texts(finished.places)},
                  {"Result", Json::parse(finished.result)}};
   const std::string line = all.dump() + "\n";
   std::string_view rest = line;
@@ -156,7 +156,7 @@ const Finished* Journal::find(const std::string& program, const std::string& sur
     };
     const bool is_valid = one.surroundings == surroundings && hashes.of(program) == one.content &&
                           std::all_of(one.called.begin(), one.called.end(), is_same) &&
-                          std::all_of(one.folders.begin(), one.folders.end(), is_same_place);
+                          std::all_of(one.places.begin(), one.places.end(), is_same_place);
     if (is_valid && !one.is_failure) return &one;
     if (is_valid && failure == nullptr) failure = &one;
   }

@@ -12,12 +12,12 @@ namespace isogloss::cli::batch {
 /// A finished program with all that its result depends on.
 struct Finished {
   std::string program;
-  std::string surroundings;                    ///< hash of the command, options, dialects, plugins and tables
-  std::string content;                         ///< hash of the program
-  std::map<std::string, std::string> called;   ///< hashes of the programs that it calls
-  std::map<std::string, std::string> folders;  ///< hashes of the names where called programs are looked for
-  std::string result;                          ///< JSON
-  bool is_failure = false;                     ///< the program was not run to its end, for whatever reason
+  std::string surroundings;                   ///< hash of the command, options, dialects, plugins and tables
+  std::string content;                        ///< hash of the program
+  std::map<std::string, std::string> called;  ///< hashes of the programs that it calls
+  std::map<std::string, std::string> places;  ///< hashes of where called programs were looked for
+  std::string result;                         ///< JSON
+  bool is_failure = false;                    ///< the program was not run to its end, for whatever reason
 };
 
 /// A file name as text of JSON, and back: % is written as %25, and in a name that is not UTF-8 each byte such as %E4.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 
 #include "batch/journal.hpp"
 #include "crash_guard.hpp"
@@ -85,11 +86,16 @@ int do_work(const BatchArguments& arguments) {
   session.report_to([&](std::string_view lines) { first.hear(lines); });
   watch_calls(request.program.watchdog);
   std::optional<RunOptions> options = request.program.make(session);
-  std::vector<std::string> called;
+  std::vector<std::string> called, places;
+  bool looks_inside = false;
   int status = cannot_start;
   Json summary;
   if (options) {
     options->called = [&](std::string_view, const std::string& file) { called.push_back(text_of_name(file)); };
+    options->searched = [&](const std::vector<std::string>& in, bool inside_files) {
+      if (places.empty()) std::transform(in.begin(), in.end(), std::back_inserter(places), text_of_name);
+      looks_inside = looks_inside || inside_files;
+    };
     request.takes_summary = [&](const std::string& program, const std::string& dialect, const Summary& totals) {
       summary = Json::parse(summary_json(program, dialect, totals, session.diagnostics()), nullptr, false);
     };
@@ -99,7 +105,11 @@ int do_work(const BatchArguments& arguments) {
   }
   std::sort(called.begin(), called.end());
   called.erase(std::unique(called.begin(), called.end()), called.end());
-  const Json all{{"Summary", std::move(summary)}, {"First", first.said()}, {"Called", called}};
+  const Json all{{"Summary", std::move(summary)},
+                 {"First", first.said()},
+                 {"Called", called},
+                 {"Places", places},
+                 {"LooksInside", looks_inside}};
   std::fflush(nullptr);
   if (::dup2(out, STDOUT_FILENO) < 0) return cannot_start;
   return print(all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n", status);
@@ -108,8 +118,9 @@ int do_work(const BatchArguments& arguments) {
 std::optional<Work> read_work(const std::string& written) {
   try {
     const Json all = Json::parse(written.substr(0, written.find('\n')));
-    Work out{all.at("Summary"), all.at("First"), {}};
+    Work out{all.at("Summary"), all.at("First"), {}, {}, all.at("LooksInside").get<bool>()};
     for (const Json& file : all.at("Called")) out.called.push_back(name_of_text(file.get<std::string>()));
+    for (const Json& place : all.at("Places")) out.places.push_back(name_of_text(place.get<std::string>()));
     return out;
   } catch (const Json::exception&) {
     return std::nullopt;

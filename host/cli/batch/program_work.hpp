@@ -14,6 +14,8 @@ struct Work {
   Json summary;                     ///< as `run --summary --json` writes it; null: the program was not run
   Json first;                       ///< the first error, or else the first warning; null: none
   std::vector<std::string> called;  ///< files of called programs
+  std::vector<std::string> places;  ///< folders and files where programs were looked for
+  bool looks_inside = false;        ///< and inside files of other names
 };
 std::optional<Work> read_work(const std::string& written);
 

@@ -118,6 +118,7 @@ std::string ProgramSearch::searched_in(std::uint32_t scope, const ProgramFile& f
 
 bool ProgramSearch::find_in_folders(const ig_go& request, const Caller& caller, const SearchedNames& names, Target& out,
                                     std::string& reason) {
+  if (options_.searched) options_.searched(options_.program_places, false);
   const std::string_view label = view_of(request.label);
   const auto take = [&](const ProgramPlaces::Found& found) {
     ProgramFile* const file = open(found, reason);
@@ -182,6 +183,7 @@ bool ProgramSearch::find_in_neighbours(std::string_view label, const Caller& cal
 
 const std::vector<ProgramSearch::Neighbour>& ProgramSearch::neighbours(std::uint32_t line) {
   if (neighbours_) return *neighbours_;
+  if (options_.searched) options_.searched(options_.program_places, true);
   neighbours_.emplace();
   for (const ProgramPlaces::Found& found : places().inside()) {
     Neighbour& one = neighbours_->emplace_back(Neighbour{found, std::nullopt, {}});

@@ -49,6 +49,8 @@ struct RunOptions {
   std::function<void(Chain&)> prepare;  ///< called once the chain is created, before its start; empty: none
   /// Called when a program in a file is called for the first time, with its name and the file; empty: none.
   std::function<void(std::string_view program, const std::string& file)> called;
+  /// Called when a program is looked for in these places, by the names of files or inside all of them; empty: none.
+  std::function<void(const std::vector<std::string>& places, bool inside_files)> searched;
   std::function<void(const FlowStep&)> moved;  ///< called for each call, return and jump; empty: none
   std::function<void(std::uint64_t blocks, std::uint64_t bytes)> progress;  ///< now and then; empty: none
   /// Asked before each block (stepping.hpp), borrowed; null: none.
