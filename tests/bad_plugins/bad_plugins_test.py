@@ -1,21 +1,14 @@
 #!/usr/bin/env python3
 """Each misbehaving plugin is refused, caught or survived, with the expected code, stream and exit status."""
-import argparse
-import os
 import pathlib
 import shutil
-import struct
-import subprocess
 import sys
-import tempfile
-import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(SOURCE / "tests" / "support"))
 
 from budget import FACTOR  # noqa: E402: it lies in another folder
-
-OPTIONS = None
+from plugin_test_case import OPTIONS, PluginTestCase, main  # noqa: E402
 
 # What doctor says of a library that it does not load: its status is 1, since something in the input is wrong.
 REFUSED = {
@@ -86,20 +79,11 @@ CHECKED = ["writes_undeclared", "writes_no_field", "takes_undeclared", "status_n
            "sets_a_text_as_number"]
 
 
-class BadPlugins(unittest.TestCase):
+class BadPlugins(PluginTestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.path = pathlib.Path(folder.name)
+        super().setUp()
         self.program = self.path / "part.nc"
         self.program.write_text("G90 G54 G21\nG00 X1. Y2. Z3.\nG01 X5. F100.\nM30\n")
-
-    def run_it(self, *arguments):
-        environment = {k: v for k, v in os.environ.items() if not k.startswith("ISOGLOSS_")}
-        done = subprocess.run([OPTIONS.isogloss, *map(str, arguments)], capture_output=True, text=True,
-                              errors="replace", timeout=300, check=False, cwd=self.path, env=environment)
-        self.assertGreaterEqual(done.returncode, 0, f"killed by a signal: {arguments}\n{done.stderr}")
-        return done
 
     def run_with(self, plugin, *more):
         dialect = self.path / "bad.xml"
@@ -108,9 +92,6 @@ class BadPlugins(unittest.TestCase):
                            f'<Plugins><Plugin name="{plugin}"/></Plugins><Chain>'
                            f'<InsertBefore syntax="{before}"><BadSyntax/></InsertBefore></Chain></Dialect>')
         return self.run_it("run", self.program, "-d", dialect, "--plugins", OPTIONS.plugins / plugin, *more)
-
-    def doctor(self, folder):
-        return self.run_it("doctor", "--plugins", folder)
 
     def test_what_is_refused_is_explained(self):
         for plugin, (code, reason) in REFUSED.items():
@@ -277,50 +258,6 @@ class BadPlugins(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("its name is 'newer_minor', so the file must be too [IG-0305]", done.stdout)
 
-    def test_files_that_are_no_libraries(self):
-        sound = (OPTIONS.plugins / "newer_minor" / "newer_minor.so").read_bytes()
-        files = {
-            "empty.so": b"",
-            "text.so": b"this is not a library, whatever its name says\n" * 100,
-            "magic.so": b"\x7fELF",
-            "header.so": sound[:64],
-            "half.so": sound[:len(sound) // 2],
-            "other_machine.so": sound[:18] + struct.pack("<H", 0xf3) + sound[20:],
-        }
-        for name, content in files.items():
-            (self.path / name).write_bytes(content)
-        (self.path / "folder.so").mkdir()
-        (self.path / "dangling.so").symlink_to("nowhere.so")
-        os.mkfifo(self.path / "pipe.so")
-        done = self.doctor(self.path)
-        self.assertEqual(done.returncode, 1, done.stderr)
-        for name in [*files, "folder.so", "dangling.so", "pipe.so"]:
-            with self.subTest(name):
-                line = next(line for line in done.stdout.splitlines() if f"/{name}: " in line)
-                self.assertRegex(line, r"\[IG-030[1-3]\]")
-
-    def test_damaged_libraries_never_crash_the_look_before_loading(self):
-        """Headers only: a library with damaged code is loaded like any other."""
-        sound = bytearray((OPTIONS.plugins / "newer_minor" / "newer_minor.so").read_bytes())
-        sections = struct.unpack_from("<Q", sound, 40)[0]
-        damage = {"sections_far": (40, 1 << 40), "sections_inside": (40, sections + 8), "no_sections": (40, 0),
-                  "many_sections": (60, 0xffff), "names_far": (62, 0xfff0), "entry_size": (58, 1)}
-        for name, (offset, value) in damage.items():
-            copy = bytearray(sound)
-            struct.pack_into("<Q" if offset == 40 else "<H", copy, offset, value)
-            (self.path / f"{name}.so").write_bytes(copy)
-        for section in range(1, 12):
-            copy = bytearray(sound)
-            struct.pack_into("<QQ", copy, sections + 64 * section + 24, 1 << 60, 1 << 60)
-            (self.path / f"section_{section}.so").write_bytes(copy)
-        done = self.doctor(self.path)
-        self.assertIn(done.returncode, (0, 1), done.stderr)
-        self.assertIn("Not loaded", done.stdout)
-
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--isogloss", required=True)
-    parser.add_argument("--plugins", required=True, type=pathlib.Path)
-    OPTIONS, rest = parser.parse_known_args()
-    unittest.main(argv=[sys.argv[0], *rest])
+    main()

@@ -1,15 +1,9 @@
 #!/usr/bin/env python3
 """Tables that the loader of the system would follow out of the library: told before, with the file, and not loaded."""
-import argparse
-import pathlib
-import shutil
+import os
 import struct
-import subprocess
-import sys
-import tempfile
-import unittest
 
-OPTIONS = None
+from plugin_test_case import OPTIONS, PluginTestCase, main
 
 LOAD, DYNAMIC, NOTE, TLS, RELRO = 1, 2, 4, 7, 0x6474e552
 OFFSET, ADDRESS, IN_FILE, IN_MEMORY = 8, 16, 32, 40  # in a program header of 56 bytes, with the type at 0
@@ -92,6 +86,8 @@ def without_end(library):
 DAMAGE = {
     "headers": (lambda e: e.write(54, 55, "<H"), "its program headers have another size"),
     "headers_far": (lambda e: e.write(32, FAR), "its program headers lie outside the file"),
+    "headers_many": (lambda e: e.write(56, 65, "<H"), "it has too many segments"),
+    "headers_none": (lambda e: e.write(56, 0, "<H"), "it has no segment to load"),
     "segment_far": (lambda e: e.write(e.segment(LOAD) + OFFSET, FAR), "segment 0 lies outside the file"),
     "segment_size": (lambda e: e.write(e.segment(LOAD, 1) + IN_MEMORY, 1), "segment 1 has a size that cannot be right"),
     "segment_wide": (lambda e: e.write(e.segment(LOAD, 1) + IN_MEMORY, 1 << 63), "segment 1 has a size that cannot be right"),
@@ -151,14 +147,7 @@ DAMAGE_WITH_VERSIONS = {
 }
 
 
-class DamagedLibraries(unittest.TestCase):
-    def setUp(self):
-        self.path = pathlib.Path(tempfile.mkdtemp(prefix="isogloss-damaged-"))
-        self.addCleanup(shutil.rmtree, self.path)
-
-    def doctor(self, folder=None):
-        return subprocess.run([OPTIONS.isogloss, "doctor", "--plugins", folder or self.path], capture_output=True, text=True)
-
+class DamagedLibraries(PluginTestCase):
     def check(self, plugin, damage):
         sound = OPTIONS.plugins / plugin / f"{plugin}.so"
         for name, (spoil, _) in damage.items():
@@ -166,7 +155,7 @@ class DamagedLibraries(unittest.TestCase):
             spoil(library)
             self.assertNotEqual(library.bytes, sound.read_bytes(), name)
             (self.path / f"{name}.so").write_bytes(library.bytes)
-        done = self.doctor()
+        done = self.doctor(self.path)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         for name, (_, expected) in damage.items():
             with self.subTest(name):
@@ -195,14 +184,49 @@ class DamagedLibraries(unittest.TestCase):
         for chain in range(library.read(library.table("HASH") + 4, "<I")):
             library.write(library.table("HASH") + 8 + 4 * buckets + 4 * chain, 1, "<I")
         (self.path / "old_hash.so").write_bytes(library.bytes)
-        done = self.doctor()
+        done = self.doctor(self.path)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("(the hash table of its symbols is damaged) [IG-0301]", done.stdout)
 
+    def test_files_that_are_no_libraries(self):
+        sound = (OPTIONS.plugins / "newer_minor" / "newer_minor.so").read_bytes()
+        files = {
+            "empty.so": b"",
+            "text.so": b"this is not a library, whatever its name says\n" * 100,
+            "magic.so": b"\x7fELF",
+            "header.so": sound[:64],
+            "half.so": sound[:len(sound) // 2],
+            "other_machine.so": sound[:18] + struct.pack("<H", 0xf3) + sound[20:],
+        }
+        for name, content in files.items():
+            (self.path / name).write_bytes(content)
+        (self.path / "folder.so").mkdir()
+        (self.path / "dangling.so").symlink_to("nowhere.so")
+        os.mkfifo(self.path / "pipe.so")
+        done = self.doctor(self.path)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        for name in [*files, "folder.so", "dangling.so", "pipe.so"]:
+            with self.subTest(name):
+                line = next(line for line in done.stdout.splitlines() if f"/{name}: " in line)
+                self.assertRegex(line, r"\[IG-030[1-3]\]")
+
+    def test_a_damaged_table_of_sections_never_crashes_the_look_before_loading(self):
+        sound = bytearray((OPTIONS.plugins / "newer_minor" / "newer_minor.so").read_bytes())
+        sections = struct.unpack_from("<Q", sound, 40)[0]
+        damage = {"sections_far": (40, 1 << 40), "sections_inside": (40, sections + 8), "no_sections": (40, 0),
+                  "many_sections": (60, 0xffff), "names_far": (62, 0xfff0), "entry_size": (58, 1)}
+        for name, (offset, value) in damage.items():
+            copy = bytearray(sound)
+            struct.pack_into("<Q" if offset == 40 else "<H", copy, offset, value)
+            (self.path / f"{name}.so").write_bytes(copy)
+        for section in range(1, 12):
+            copy = bytearray(sound)
+            struct.pack_into("<QQ", copy, sections + 64 * section + 24, 1 << 60, 1 << 60)
+            (self.path / f"section_{section}.so").write_bytes(copy)
+        done = self.doctor(self.path)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        self.assertIn("Not loaded", done.stdout)
+
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--isogloss", required=True)
-    parser.add_argument("--plugins", required=True, type=pathlib.Path)
-    OPTIONS, rest = parser.parse_known_args()
-    unittest.main(argv=[sys.argv[0], *rest])
+    main()

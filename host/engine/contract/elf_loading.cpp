@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace {
 
 constexpr std::uint64_t page = 4096;
 constexpr std::uint64_t most_address = std::uint64_t{1} << 47, most_thread_local = std::uint64_t{1} << 30;
+
+constexpr unsigned most_segments = 64;  // linkers make about ten
+constexpr std::size_t longest_file_name = 4096;
 
 /// A description of what is wrong, or nothing.
 using Fault = std::optional<std::string>;
@@ -28,6 +32,7 @@ class Image {
   Fault read_segments() {
     const auto header = at<Elf64_Ehdr>(file_, 0);
     if (!header || header->e_phentsize != sizeof(Elf64_Phdr)) return "its program headers have another size";
+    if (header->e_phnum > most_segments) return "it has too many segments";
     for (unsigned i = 0; i < header->e_phnum; ++i) {
       const auto segment = at<Elf64_Phdr>(file_, header->e_phoff + i * sizeof(Elf64_Phdr));
       if (!segment) return "its program headers lie outside the file";
@@ -191,7 +196,9 @@ class DynamicTables {
          {DT_SONAME, DT_RPATH, DT_RUNPATH, DT_AUXILIARY, DT_FILTER, DT_CONFIG, DT_DEPAUDIT, DT_AUDIT})
       if (!is_string(value(tag).value_or(0))) return "a name in its dynamic section lies outside its strings";
     for (const std::uint64_t name : needed_)
-      if (!is_string(name)) return "the name of a library that it needs lies outside its strings";
+      if (!is_string(name) || file_name(name).size() > longest_file_name)
+        return "the name of a library that it needs lies outside its strings";
+    for (const std::uint64_t name : needed_) needed_names_.emplace(file_name(name));
     return std::nullopt;
   }
 
@@ -261,9 +268,7 @@ class DynamicTables {
     const char* const fault = "the versions of its symbols are damaged";
     std::uint32_t highest = 1;
     if (!walk<Elf64_Verneed>(DT_VERNEED, [&](std::uint64_t at, const Elf64_Verneed& need) {
-          const bool is_needed = std::any_of(needed_.begin(), needed_.end(),
-                                             [&](std::uint64_t name) { return string(name) == string(need.vn_file); });
-          if (need.vn_version != VER_NEED_CURRENT || !is_needed) return false;
+          if (need.vn_version != VER_NEED_CURRENT || !needed_names_.contains(file_name(need.vn_file))) return false;
           return walk_from<Elf64_Vernaux>(at + need.vn_aux, [&](std::uint64_t, const Elf64_Vernaux& version) {
             highest = std::max<std::uint32_t>(highest, version.vna_other & hidden_mask);
             return is_string(version.vna_name);
@@ -298,6 +303,7 @@ class DynamicTables {
       for (std::uint64_t i = 0; i < *size; i += 8) called_.push_back(*address + i);
     }
     std::sort(called_.begin(), called_.end());
+    is_filled_.resize(called_.size());
     return std::nullopt;
   }
 
@@ -323,7 +329,7 @@ class DynamicTables {
           !image_.holds(relocation.r_offset, type == R_X86_64_32 || type == R_X86_64_PC32 ? 4 : 8))
         return "a relocation leads outside the segments";
       const auto to = static_cast<std::uint64_t>(relocation.r_addend);
-      const bool is_called = forget_called(relocation.r_offset);
+      const bool is_called = fills_called(relocation.r_offset);
       const bool must_be_code = type == R_X86_64_IRELATIVE || (type == R_X86_64_RELATIVE && is_called);
       if ((type == R_X86_64_RELATIVE && to > end_of_image()) || (must_be_code && !image_.holds(to, 1, PF_X)))
         return "a relocation leads outside the segments";
@@ -351,21 +357,22 @@ class DynamicTables {
   }
   bool relocate(std::uint64_t place) {
     const auto to = image_.record_at<std::uint64_t>(place);
-    return to && image_.holds(place, 8) && (!forget_called(place) || image_.holds(*to, 1, PF_X));
+    return to && image_.holds(place, 8) && (!fills_called(place) || image_.holds(*to, 1, PF_X));
   }
-  /// True where the loader calls what stands there.
-  bool forget_called(std::uint64_t place) {
+  /// True where the loader calls what stands there, which is filled now.
+  bool fills_called(std::uint64_t place) {
     if (called_.empty() || place < called_.front() || place > called_.back()) return false;
     const auto found = std::lower_bound(called_.begin(), called_.end(), place);
     if (*found != place) return false;
-    called_.erase(found);
+    is_filled_[static_cast<std::size_t>(found - called_.begin())] = true;
     return true;
   }
 
   Fault check_functions() {
     for (const std::int64_t tag : {DT_INIT, DT_FINI})
       if (value(tag) && !image_.holds(*value(tag), 1, PF_X)) return "its initializer lies outside the segments";
-    return called_.empty() ? std::nullopt : Fault("an initializer has no address");
+    const bool are_filled = std::find(is_filled_.begin(), is_filled_.end(), false) == is_filled_.end();
+    return are_filled ? std::nullopt : Fault("an initializer has no address");
   }
 
   static constexpr std::uint16_t hidden_mask = 0x7fff;
@@ -383,6 +390,12 @@ class DynamicTables {
   }
   bool is_string(std::uint64_t offset) const { return offset < strings_.size(); }
   std::string_view string(std::uint64_t offset) const { return is_string(offset) ? strings_.data() + offset : ""; }
+  /// Looked at no further than the longest one goes, since any number of records may name the same.
+  std::string_view file_name(std::uint64_t offset) const {
+    return is_string(offset)
+               ? std::string_view(strings_.data() + offset, ::strnlen(strings_.data() + offset, longest_file_name + 1))
+               : "";
+  }
   std::uint64_t end_of_image() const { return image_.end(); }
 
   static std::uint32_t next_of(const Elf64_Verneed& need) { return need.vn_next; }
@@ -409,10 +422,12 @@ class DynamicTables {
   const Image& image_;
   std::vector<Elf64_Dyn> entries_;
   std::vector<std::uint64_t> needed_;
+  std::set<std::string_view> needed_names_;
   std::span<const char> strings_;
   std::uint64_t symbols_ = 0;
   unsigned records_ = 0;
-  std::vector<std::uint64_t> called_;
+  std::vector<std::uint64_t> called_;  ///< places of functions that the loader calls, in order
+  std::vector<bool> is_filled_;        ///< by relocations
 };
 
 }  // namespace
