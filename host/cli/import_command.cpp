@@ -52,8 +52,9 @@ Json json_of(const DependencyElement& table) {
 bool has_no_file(const std::string& place) {
   std::error_code error;
   if (!fs::is_directory(place, error)) return false;
-  const fs::directory_iterator all(place, error);
-  return std::none_of(begin(all), end(all), [](const fs::directory_entry& e) { return e.is_regular_file(); });
+  for (fs::directory_iterator at(place, error), end; !error && at != end; at.increment(error))
+    if (at->is_regular_file(error)) return false;
+  return true;
 }
 
 struct ImportCommand {
