@@ -250,8 +250,7 @@ std::vector<DiagnosticInfo> dialect_diagnostics() {
        "isogloss explain part.nc --field Scaling"},
       {warning, "IG-0184", "{0}: the run reports errors (count: {1}), the first here: {2} [{3}]",
        "`isogloss diff --motions` compares the moves that both runs make. Behind an error, or where a limit has ended "
-       "a "
-       "run, moves may be missing or wrong, also where both sides agree.",
+       "a run, moves may be missing or wrong, also where both sides agree.",
        "isogloss diff --motions old.nc new.nc"},
       {error, "IG-0185", "diff needs two sides: -a and -b, --set-b, --machine-b, --against, or two programs",
        "`isogloss diff` compares two dialects, two machines or two settings with the same programs, or two programs. "

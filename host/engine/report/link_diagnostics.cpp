@@ -108,8 +108,7 @@ std::vector<DiagnosticInfo> link_diagnostics() {
       // libraries and plugins: 0300-0399
       {error, "IG-0301", "{0}: not a shared library ({1})",
        "The file in a plugin folder ends in .so but cannot be read as a shared library of this machine, or it is "
-       "damaged: "
-       "copy it again, or build it anew. Its tables are looked at before it is loaded.",
+       "damaged: copy it again, or build it anew. Its tables are looked at before it is loaded.",
        "notes.so"},
       {error, "IG-0302", "{0}: no symbol ig_plugin_v1",
        "A plugin exports the function ig_plugin_v1. Build it with isogloss_add_plugin().", "libfoo.so"},

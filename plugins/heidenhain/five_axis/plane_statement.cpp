@@ -48,7 +48,6 @@ std::size_t PlaneStatement::behind_cycle_19(std::string_view text, std::size_t p
 void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t position,
                                 const std::optional<ig::Vec3>& in_force, PlaneCommand& command) const {
   bool any = false, is_tilted = false;
-  std::optional<ig::Where> distance;
   command.is_cycle = true;
   for (std::size_t i = skip(text, position); i < text.size(); i = skip(text, i)) {
     const std::size_t axis = std::string_view("ABC").find(to_upper(text[i]));
@@ -57,8 +56,7 @@ void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t
       command.plane.words[axis] = v.number;
       any = true;
       i = v.end;
-    } else if (const std::size_t end = distance_at(b, text, i, command.distance); end != i) {
-      distance = ig::Where::columns(i, end);
+    } else if (const std::size_t end = distance_at(b, text, i, command); end != i) {
       i = end;
     } else if (to_upper(text[i]) == 'F') {
       i = feed_.scan(b, values_, text, i, command.is_rapid);
@@ -74,21 +72,22 @@ void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t
   }
   command.plane.kind = is_tilted ? PlaneDefinition::spatial : PlaneDefinition::reset;
   const bool has_feed = command.is_rapid || feed_.word(b);
-  const bool positions = distance && has_feed && cycle_positions_ == CyclePositions::positions;
+  const bool positions = command.distance_word && has_feed && cycle_positions_ == CyclePositions::positions;
   command.move = positions ? PlaneCommand::Move::move : PlaneCommand::Move::stay;
-  if (distance && !positions)
-    b.report(ig::diag("HEI-0140"), *distance, std::string_view("DIST of CYCL DEF 19"),
+  if (command.distance_word && !positions)
+    b.report(ig::diag("HEI-0140"), *command.distance_word, std::string_view("DIST of CYCL DEF 19"),
              std::string_view(cycle_positions_ == CyclePositions::stays
                                   ? "the program positions the rotary axes, unless the option cycle-19 says otherwise"
                                   : "the cycle positions the rotary axes where F stands beside it"));
 }
 
 std::size_t PlaneStatement::distance_at(ig::Block& b, std::string_view text, std::size_t position,
-                                        double& distance) const {
+                                        PlaneCommand& command) const {
   const std::size_t value = std::max(before_value(text, position, "DIST"), before_value(text, position, "ABST"));
   const Value v = value != position ? values_.read(b, text, value) : Value{};
   if (!v.ok) return position;
-  distance = v.number;
+  command.distance = v.number;
+  command.distance_word = ig::Where::columns(position, v.end);
   return v.end;
 }
 
@@ -161,10 +160,7 @@ std::size_t PlaneStatement::word_at(ig::Block& b, std::string_view text, std::si
     command.turns_table = is("TABLE");
     return rot;
   }
-  if (const std::size_t end = distance_at(b, text, i, command.distance); end != i) {
-    command.distance_word = ig::Where::columns(i, end);
-    return end;
-  }
+  if (const std::size_t end = distance_at(b, text, i, command); end != i) return end;
   if (const std::size_t value = before_value(text, i, "MB"); value != i) {
     const Value v = values_.read(b, text, value);
     const std::size_t behind = skip(text, value), limit = keyword(text, behind, "MAX");

@@ -56,7 +56,7 @@ class PlaneStatement {
 
  private:
   /// The position after DIST50 or ABST50, `position` itself where it is not there.
-  std::size_t distance_at(ig::Block& b, std::string_view text, std::size_t position, double& distance) const;
+  std::size_t distance_at(ig::Block& b, std::string_view text, std::size_t position, PlaneCommand& command) const;
   std::size_t word_at(ig::Block& b, std::string_view text, std::size_t position, PlaneCommand& command) const;
   static void report_idle_words(ig::Block& b, const PlaneCommand& command);
   std::size_t angle_or_point(ig::Block& b, std::string_view text, std::size_t position, PlaneDefinition& plane) const;
