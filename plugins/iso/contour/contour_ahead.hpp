@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isogloss/cnc/corner_break_state.hpp>
+#include <isogloss/cnc/scan.hpp>
 
 #include "contour/contour_motion.hpp"
 
@@ -15,6 +16,24 @@ inline bool is_comment_line(std::string_view text) {
   if (first == std::string_view::npos || (text[first] != '(' && text[first] != ';')) return false;
   const std::size_t last = text.find_last_not_of(" \t\r;");
   return text[first] == ';' || (last != std::string_view::npos && text[last] == ')' && text.find(')') == last);
+}
+
+/// Whether the words of a block are only those that a call or a return may have without being an NC statement: O, N, P
+/// and L beside one M code.
+inline bool is_call_alone(std::string_view text) {
+  std::size_t codes = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = to_upper(text[i]);
+    if (c == ';') break;
+    if (c == '(' || c == '[' || c == '<') {
+      i = skip_bracketed(text, i) - 1;
+    } else if (c == 'M') {
+      if (++codes > 1) return false;
+    } else if (is_letter(c) && std::string_view("ONPL").find(c) == std::string_view::npos) {
+      return false;
+    }
+  }
+  return codes == 1;
 }
 
 /// A member of the syntax that looks ahead.
@@ -70,7 +89,7 @@ class ContourAhead {
           return next;
         }
         cancels |= offset_in_force(ahead) == 0;
-        if (!is_comment_line(ahead.source()) && ++rests > rests_allowed) break;
+        if (counts(ahead) && ++rests > rests_allowed) break;
         continue;
       }
       next.kind = Next::Kind::move;
@@ -110,7 +129,7 @@ class ContourAhead {
       if (offset_in_force(ahead) != offset) break;
       if (motion.kind == ContourMotion::Kind::rest) {
         if (ahead.has(corner_arc_)) break;
-        if (!is_comment_line(ahead.source()) && ++rests > rests_allowed) break;
+        if (counts(ahead) && ++rests > rests_allowed) break;
         continue;
       }
       rests = 0;
@@ -128,6 +147,15 @@ class ContourAhead {
 
  private:
   using Break = std::optional<CornerBreakState::Corner>;
+
+  /// Macro statements, macro calls, and calls and returns without other words are no blocks without a move for the
+  /// control (Fanuc operator's manual, "Macro statements and NC statements").
+  bool counts(const ig::Block& ahead) const {
+    if (ahead.is_raised(macro_statement_) || ahead.is_raised(macro_call_)) return false;
+    const std::string_view text = ahead.source();
+    const bool is_call = ahead.has(call_) || ahead.has(return_);
+    return !is_comment_line(text) && !(is_call && is_call_alone(text));
+  }
 
   /// The move of a later block, mapped into the frame of this block.
   static bool bring_here(ig::Block& b, ig::Block& ahead, const ContourMotion& motion, ContourMove& move) {
@@ -180,6 +208,8 @@ class ContourAhead {
   ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   ig::In<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc"};
+  ig::In<ig::Symbol> call_{"SubProgramCall.Term"}, return_{"SubProgramReturn.Term"};
+  ig::Signal macro_statement_{"Parsing.~MacroStatement", ig::read}, macro_call_{"Parsing.~MacroCall", ig::read};
   CornerBreakState break_{ig::read};
   ig::Name left_{"Left"}, right_{"Right"};
 };

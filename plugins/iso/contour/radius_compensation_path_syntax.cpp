@@ -39,7 +39,8 @@ struct RadiusCompensationPath {
           "stops with alarm PS0033. The tool goes straight from the end of one path to the start of the other.",
           "G41 D1 (radius 5) (then) an arc that bends away under the tool"),
       ig::diagnostic(IG_WARNING, "ISO-0469",
-                     "more than {0} blocks without a move in the plane follow: the tool stops square to the contour",
+                     "no move in the plane follows within the blocks read ahead ({0} may be without a move): the tool "
+                     "stops square to the contour",
                      "The control reads only a limited number of blocks ahead (parameter 19625), finds no next move, "
                      "and places the tool at a right angle to the end of this one. An inner corner is then overcut, "
                      "and material remains at an outer one.",
