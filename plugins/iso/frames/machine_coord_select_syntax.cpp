@@ -5,6 +5,7 @@
 #include <isogloss/cnc/program_xyz.hpp>
 
 #include "motion/further_axis_order.hpp"
+#include "tool/untravelled_length.hpp"
 
 namespace iso {
 
@@ -36,6 +37,7 @@ struct MachineCoordSelect {
   ig::Signal axis_words_void_{"MachineCoordSelect.~AxisWordsVoid", ig::write};
   DistanceMode distance_;
   LastProgramXyz last_;
+  ig::Field<double> untravelled_ = untravelled_length(ig::read | ig::write);
   ig::Choice<Motion> motion_{"motion", "modal|rapid", "modal",
                              "How the block moves: by the code of group 01, or always by rapid."};
   ig::Choice<UnderG91> under_g91_{"under-g91", "ignored|words-too|absolute", "ignored",
@@ -61,6 +63,7 @@ struct MachineCoordSelect {
     if (named.mask == 0 && !turns) return ig::Status::changed;
     const ig::Vec3 to = named.or_else(machine_position(b, machine_, last_));
     if (!set_machine_target(b, machine_, program_, to)) b.report(ig::diag("ISO-0332"), ig::Where::block());
+    if (named.has(2) && b.has(untravelled_)) b.erase(untravelled_);
     if (motion_ == Motion::rapid) move_.rapid(b);
     return ig::Status::changed;
   }

@@ -2,6 +2,7 @@
 /// both with the named axes only. `G91 G28 Z0` goes straight up; `G90 G28 Z0` goes to program Z0 first, as on the
 /// control. Fanuc manual, "Reference position".
 #include "motion/reference_position.hpp"
+#include "tool/untravelled_length.hpp"
 
 namespace iso {
 
@@ -33,9 +34,7 @@ struct ReferenceReturn {
                                       "Whether G28 ends G43 and G44 when the axes have arrived."};
   ig::Out<ig::Symbol> compensation_{"ToolHeightCompensation.Term"};
   ig::Field<double> offset_{"ToolHeightCompensation.Offset_mm", ig::read | ig::write};
-  ig::Field<double> untravelled_{"ToolHeightCompensation.Untravelled_mm",
-                                 ig::read | ig::write,
-                                 {ig::Life::modal, "mm", "Change of the length that the next Z under G91 moves by."}};
+  ig::Field<double> untravelled_ = untravelled_length(ig::read | ig::write);
   ig::Transform frame_{"ToolHeightCompensation", ig::read | ig::write};
   std::array<FurtherAxisOrder, 4> further_{FurtherAxisOrder{"R1"}, FurtherAxisOrder{"R2"}, FurtherAxisOrder{"R3"},
                                            FurtherAxisOrder{"R4"}};

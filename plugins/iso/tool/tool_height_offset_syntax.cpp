@@ -9,6 +9,7 @@
 #include <isogloss/sdk.hpp>
 
 #include "tool/tool_length.hpp"
+#include "tool/untravelled_length.hpp"
 
 namespace iso {
 
@@ -43,17 +44,14 @@ struct ToolHeightOffset {
                         {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
   ToolLengths lengths_{ig::Need::required};
   /// Lengths put in force by blocks without Z: the next Z word under G91 travels them too.
-  ig::Field<double> untravelled_{"ToolHeightCompensation.Untravelled_mm",
-                                 ig::read | ig::write | ig::wake_while,
-                                 {ig::Life::modal, "mm", "Change of the length that the next Z under G91 moves by."}};
-  ig::Word z_{"Parsing.Z", ig::read | ig::write};
+  ig::Field<double> untravelled_ = untravelled_length(ig::read | ig::write | ig::wake_while);
+  ig::Word z_{"Parsing.Z", ig::read};
   ig::Call returns_{{"G27", "G28", "G29", "G30"}, "Z", ig::read};
   CycleCalls cycles_{"X Y Z R", ig::read};
   CycleInForce cycle_;
   std::array<ig::Word, 6> places_{ig::Word{"Parsing.X", ig::read},        ig::Word{"Parsing.Y", ig::read},
                                   ig::Word{"Parsing.R", ig::read},        ig::Word{"Parsing.A", ig::read, "deg"},
                                   ig::Word{"Parsing.B", ig::read, "deg"}, ig::Word{"Parsing.C", ig::read, "deg"}};
-  ig::Codes machine_select_{{"G53"}, ig::read};
   DistanceMode distance_;
   ig::Name g43_{"G43"}, g44_{"G44"}, g49_{"G49"};
 
@@ -117,23 +115,17 @@ struct ToolHeightOffset {
     b.set_translation(frame_, signed_length * tool_axis(b));
   }
 
-  /// Example of the manual: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. Z of a hole is its depth, and no move. True
-  /// when something was written.
+  /// Example of the manual: with H1 = -4, `G91 G43 H1 Z-32.` moves by -36. IncrementalResolveSyntax adds to the words
+  /// what is pending; a move to a position has no use for it. True when something was written.
   bool travel(ig::Block& b, double change) const {
     if (under_g91_ == LengthUnderG91::position) return false;
     const double pending = b.get_or(untravelled_, 0.0) + change;
     if (pending == 0 && !b.has(untravelled_)) return false;
-    const auto z = b.get(z_);
-    const bool is_increment = distance_.is_incremental(b), is_by_machine = b.find(machine_select_).has_value();
-    const bool is_hole = drills(b);
-    const bool ends = (z && !(is_increment && is_by_machine)) || is_hole || returns_along_z(b);
-    const bool is_along_z = tool_axis(b) == ig::Vec3{0, 0, 1};
-    if (!ends && is_along_z && pending != 0) {
+    const bool goes_to_position = (b.has(z_) && !distance_.is_incremental(b)) || drills(b) || returns_along_z(b);
+    if (pending != 0 && !goes_to_position && tool_axis(b) == ig::Vec3{0, 0, 1})
       b.set(untravelled_, pending);
-      return true;
-    }
-    if (z && is_along_z && is_increment && !is_hole) b.rewrite(z_.id(), *z + pending);
-    b.erase(untravelled_);
+    else
+      b.erase(untravelled_);
     return true;
   }
 
