@@ -39,6 +39,10 @@ struct SubprogramCall {
       ig::diagnostic(IG_ERROR, "ISO-0486",
                      "calls are already nested {0} deep, the limit of this control: {1} is not called"),
       ig::diagnostic(IG_WARNING, "ISO-0491", "{0}: there is no O{1} for P{2}, so O{2} is called once"),
+      ig::diagnostic(IG_ERROR, "ISO-0595",
+                     "{0}: {1}{2} is not a valid sequence number, so the program is called from its beginning"),
+      ig::diagnostic(IG_WARNING, "ISO-0596",
+                     "{0}: the word {1} has no effect, because a row of MachineCodes stands for the program"),
       ig::diagnostic(IG_ERROR, "ISO-0492", "'{0}' does not belong to a call and is not executed"),
   };
 
@@ -137,8 +141,19 @@ struct SubprogramCall {
 
   std::optional<double> start_of(ig::Block& b, std::size_t row) const {
     if (start_address_ == StartAddress::none) return std::nullopt;
-    const auto start = take(b, row, start_address_ == StartAddress::q ? 'Q' : 'H');
-    return start && is_number(*start) ? start : std::nullopt;
+    const char letter = start_letter();
+    const auto start = take(b, row, letter);
+    if (!start || is_number(*start)) return start;
+    b.report(ig::diag("ISO-0595"), ig::Where::word(call_.word(row, letter)), b.text(call_.name(row)),
+             std::string_view(&letter, 1), *start);
+    return std::nullopt;
+  }
+  char start_letter() const { return start_address_ == StartAddress::q ? 'Q' : 'H'; }
+
+  void report_start_of_row(ig::Block& b, const Request& r) const {
+    const char letter = start_letter();
+    if (r.start != 0 && start_address_ != StartAddress::none)
+      b.report(ig::diag("ISO-0596"), ig::Where::word(call_.word(r.row, letter)), r.code, std::string_view(&letter, 1));
   }
 
   static bool is_number(double value) { return value >= 1 && value <= largest_number && value == std::floor(value); }
@@ -163,7 +178,10 @@ struct SubprogramCall {
   }
 
   bool has_own_row(ig::Block& b, const Request& r) const {
-    return !r.is_local && builder_.goes_before(b, flow_, {NumberedName('O', r.program).text(), r.repeats, r.where});
+    if (r.is_local || !builder_.goes_before(b, flow_, {NumberedName('O', r.program).text(), r.repeats, r.where}))
+      return false;
+    report_start_of_row(b, r);
+    return true;
   }
 
   /// M98 P51234 calls O1234 five times; where only a program O51234 exists, it calls that one.
@@ -187,7 +205,7 @@ struct SubprogramCall {
     if (!may_call(b, r, name)) return;
     const std::string_view inner = name.substr(1, name.size() - 2);
     const RowsOfPrograms::Called called{inner, r.repeats, r.where};
-    if (builder_.goes_before(b, flow_, called)) return;
+    if (builder_.goes_before(b, flow_, called)) return report_start_of_row(b, r);
     const ig_text file = ig::to_text(inner);
     const NumberedName start('N', r.start);
     const ig::Flow::Answer answer = flow_.call(b, {.program = name,
@@ -196,7 +214,7 @@ struct SubprogramCall {
                                                    .repeats = r.repeats,
                                                    .tag = r.start != 0 ? begins_inside : 0,
                                                    .start = r.start != 0 ? start.text() : std::string_view()});
-    if (answer.is_not_found() && builder_.replaces(b, flow_, called)) return;
+    if (answer.is_not_found() && builder_.replaces(b, flow_, called)) return report_start_of_row(b, r);
     if (answer.is_not_found())
       b.report(ig::diag("ISO-0485"), r.where, name, answer.reason);
     else
@@ -245,7 +263,7 @@ struct SubprogramCall {
   void report(ig::Block& b, const Request& r, const ig::Flow::Answer& answer) const {
     if (answer.is_not_found() && !r.is_local &&
         builder_.replaces(b, flow_, {NumberedName('O', r.program).text(), r.repeats, r.where}))
-      return;
+      return report_start_of_row(b, r);
     if (answer.is_not_found())
       b.report(ig::diag("ISO-0485"), r.where, NumberedName(r.is_local ? 'N' : 'O', r.program).text(), answer.reason);
     else if (answer.status == IG_GO_TAKEN)

@@ -17,6 +17,7 @@ struct PathSmoothing {
       ig::diagnostic(IG_WARNING, "ISO-0394", "{0} without {1}: the mode does not change"),
       ig::diagnostic(IG_WARNING, "ISO-0397",
                      "{0}: {1}{2} only selects an axis and does not move it: program the move in its own block"),
+      ig::diagnostic(IG_WARNING, "ISO-0589", "R{0} beside G05.1 Q0 has no effect: Q0 ends the mode"),
   };
 
   // X0 Y0 Z0 beside G05.1 name axes and do not move them.
@@ -37,6 +38,8 @@ struct PathSmoothing {
         refuse(b, contour_, "Q", q);
       else
         record(b, words->code, *q > 0, *q > 0 ? (*words)['R'] : std::nullopt);
+      if (const auto level = (*words)['R']; level && q && *q == 0)
+        b.report(ig::diag("ISO-0589"), ig::Where::word(contour_.word(0, 'R')), *level);
     }
     if (const auto words = b.take(high_speed_)) {
       const auto p = (*words)['P'];

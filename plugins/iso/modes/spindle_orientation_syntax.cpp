@@ -9,12 +9,16 @@ struct SpindleOrientation {
   static constexpr auto spec = ig::syntax("SpindleOrientationSyntax", "M19 oriented spindle stop.")
                                    .after("ParameterizedFlagSyntax", "SpindleSpeedSyntax")
                                    .before("CannedCycleResolveSyntax");
+  static constexpr std::array diagnostics{
+      ig::diagnostic(IG_WARNING, "ISO-0588",
+                     "M19 stops the spindle, so the code of this block that turns it is not executed"),
+  };
 
   enum class AngleWords { none, r, p, r_or_p };
 
   ig::Call m19_{{"M19"}, "R[deg] P[deg]"};
   ig::Out<double> angle_{"SpindleOrientation.Angle_deg"};
-  ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
+  ig::Field<ig::Symbol> direction_{"SpindleSpeed.Direction", ig::read | ig::write};
   ig::Name stop_{"STOP"};
   ig::NumberOption default_angle_{"angle", "0", {0, 360}, "deg", "Where the spindle stops without an angle word."};
   ig::Choice<AngleWords> angle_words_{"angle-words", "none|R|P|R-or-P", "R-or-P", "The words that give the angle."};
@@ -26,6 +30,7 @@ struct SpindleOrientation {
     if (angle_words_ == AngleWords::r || angle_words_ == AngleWords::r_or_p)
       if (const auto r = take(b, 'R')) angle = r;
     b.set(angle_, angle.value_or(default_angle_));
+    if (b.is_fresh(direction_) && !b.is(direction_, stop_)) b.report(ig::diag("ISO-0588"), ig::Where::word(m19_.code(0)));
     b.set(direction_, stop_);
     return ig::Status::changed;
   }

@@ -15,6 +15,7 @@ struct ThreadCutting {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0391",
                      "G33 F{0}: the lead must be greater than zero, so the previous lead stays in force"),
+      ig::diagnostic(IG_WARNING, "ISO-0587", "F{0} belongs to G33, which another motion code replaces: F is not executed"),
   };
 
   ig::Call g33_{{"G33"}, "F[mm] Q[deg]"};
@@ -31,7 +32,7 @@ struct ThreadCutting {
     const auto words = b.take(g33_);
     std::uint32_t found = 0;
     const auto named = group_.find(b, found);
-    if ((named ? *named : group_.in_force(b)) != MotionGroup::g33) return give_up(b, words.has_value());
+    if ((named ? *named : group_.in_force(b)) != MotionGroup::g33) return give_up(b, words);
     bool has_changed = words.has_value();
     if (words && (*words)['F']) take_lead(b, *(*words)['F'], g33_.word(0, 'F'));
     if (!words && b.is_fresh(feed_)) has_changed |= take_lead(b, b.get_or(feed_, 0.0), feed_.id());
@@ -47,9 +48,11 @@ struct ThreadCutting {
 
  private:
   /// Another motion code follows G33 in its block.
-  ig::Status give_up(ig::Block& b, bool has_words) const {
-    if (has_words) b.erase(lead_);
-    return has_words ? ig::Status::changed : ig::Status::unchanged;
+  ig::Status give_up(ig::Block& b, const std::optional<ig::Words>& words) const {
+    if (!words) return ig::Status::unchanged;
+    b.erase(lead_);
+    if (const auto f = (*words)['F']) b.report(ig::diag("ISO-0587"), ig::Where::word(g33_.code(0)), *f);
+    return ig::Status::changed;
   }
 
   /// Whether the lead is in force.
