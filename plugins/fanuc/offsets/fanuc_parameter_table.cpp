@@ -11,7 +11,7 @@ using namespace ig::cnc;
 namespace {
 
 constexpr std::string_view rotary_type = "1006", rollover_bits = "1008", increment_system = "1013", reset = "1202",
-                           rapid_rate = "1420", decimal_point = "3401", arc_tolerance = "3410", cycle_bits = "5101",
+                           feed_bits = "1403", revolution_feed_bits = "1405", rapid_rate = "1420", decimal_point = "3401", arc_tolerance = "3410", cycle_bits = "5101",
                            high_speed_peck = "5114", peck = "5115", shift_axis = "5148",
                            boring_return_override = "5149", tapping_bits = "5200", extraction_override = "5211",
                            peck_tapping = "5213", coordinate_bits = "5400", rotation_angle = "5410",
@@ -30,6 +30,8 @@ constexpr auto named_parameters =
                           {rollover_bits, "rollover of a rotary axis", Unit::none, Scope::axes},
                           {increment_system, "increment system"},
                           {reset, "reset bits"},
+                          {feed_bits, "F per minute without a decimal point"},
+                          {revolution_feed_bits, "F per revolution without a decimal point"},
                           {decimal_point, "numbers without a decimal point"},
                           {arc_tolerance, "arc radius tolerance", Unit::increments},
                           {cycle_bits, "canned cycle bits"},
@@ -116,7 +118,12 @@ struct FanucParameterTable {
   Answer number_format_of(std::string_view name) const {
     if (name == "CalculatorDecimalPoint") return bit(decimal_point, 0) ? 1 : 0;
     if (name == "LengthIncrement_mm" || name == "AngleIncrement_deg") return increment();
-    return name == "LengthIncrement_inch" ? Answer(increment() / 10) : std::nullopt;
+    if (name == "LengthIncrement_inch") return increment() / 10;
+    if (name == "FeedIncrement_mm") return bit(feed_bits, 0) ? 0.001 : 1;
+    if (name == "FeedIncrement_inch") return bit(feed_bits, 0) ? 0.00001 : 0.01;
+    if (name == "RevolutionFeedIncrement_mm") return bit(revolution_feed_bits, 1) ? 0.001 : 0.01;
+    if (name == "RevolutionFeedIncrement_inch") return bit(revolution_feed_bits, 1) ? 0.00001 : 0.0001;
+    return std::nullopt;
   }
   Answer cycle_of(std::string_view name) const {
     if (name == "PeckRetractionDistance_mm") return in_increments(peck);

@@ -10,6 +10,10 @@ TEST_CASE("a control as delivered has the default parameters") {
   CHECK(number(table, number_format, "LengthIncrement_mm") == 0.001);
   CHECK(number(table, number_format, "LengthIncrement_inch") == 0.0001);
   CHECK(number(table, number_format, "AngleIncrement_deg") == 0.001);
+  CHECK(number(table, number_format, "FeedIncrement_mm") == 1);
+  CHECK(number(table, number_format, "FeedIncrement_inch") == 0.01);
+  CHECK(number(table, number_format, "RevolutionFeedIncrement_mm") == 0.01);
+  CHECK(number(table, number_format, "RevolutionFeedIncrement_inch") == 0.0001);
   CHECK(number(table, canned_cycle, "PeckRetractionDistance_mm") == 1);
   CHECK(number(table, canned_cycle, "HighSpeedPeckRetraction_mm") == 1);
   CHECK(number(table, canned_cycle, "BoringReturnOverride_percent") == 100);
@@ -21,7 +25,15 @@ TEST_CASE("a control as delivered has the default parameters") {
 
 TEST_CASE("bits and increments in the table replace the defaults") {
   const FakeDependency fine(*ig_plugin_v1(), "FanucParameterTable",
-                            {{"1013", {{"Value", 2}}}, {"3401", {{"Value", 1}}}, {"5115", {{"Value", 5000}}}});
+                            {{"1013", {{"Value", 2}}},
+                             {"1403", {{"Value", 1}}},
+                             {"1405", {{"Value", 2}}},
+                             {"3401", {{"Value", 1}}},
+                             {"5115", {{"Value", 5000}}}});
+  CHECK(number(fine, number_format, "FeedIncrement_mm") == 0.001);
+  CHECK(number(fine, number_format, "FeedIncrement_inch") == 0.00001);
+  CHECK(number(fine, number_format, "RevolutionFeedIncrement_mm") == 0.001);
+  CHECK(number(fine, number_format, "RevolutionFeedIncrement_inch") == 0.00001);
   CHECK(number(fine, number_format, "CalculatorDecimalPoint") == 1);
   CHECK(number(fine, number_format, "LengthIncrement_mm") == 0.0001);
   CHECK(number(fine, canned_cycle, "PeckRetractionDistance_mm") == 0.5);

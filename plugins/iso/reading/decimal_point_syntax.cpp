@@ -1,7 +1,7 @@
 // What a number without a decimal point means. Conventional controls read it in least input increments (X1000 is 1 mm),
-// calculator-type input reads it in units (X1000 is 1000 mm); a parameter of the control selects one. Only lengths,
-// angles and the time of a dwell's X are concerned, never F, P and plain counts. A missing point gets a warning under
-// both types, since the same program means two things.
+// calculator-type input reads it in units (X1000 is 1000 mm); a parameter of the control selects one. Lengths, angles
+// and the time of a dwell's X are concerned, and by an option of its own F, never P and plain counts. A missing point
+// gets a warning under both types, since the same program means two things.
 #include <cmath>
 
 #include <isogloss/cnc/cycle_in_force.hpp>
@@ -20,7 +20,8 @@ namespace {
 
 enum class Rule { as_written, increment, calculator, parameter };
 enum class Resolution { keep, increment };
-enum class Quantity { other, length, angle, time };
+enum class Feed { units, parameter };
+enum class Quantity { other, length, angle, time, feed };
 
 struct DecimalPointSyntax {
   static constexpr auto spec =
@@ -35,6 +36,8 @@ struct DecimalPointSyntax {
                         "warning, or what the parameters of the control decide."};
   ig::Choice<Resolution> resolution{"resolution", "keep|increment", "keep",
                                     "Digits finer than the increment: kept, or truncated like on the control."};
+  ig::Choice<Feed> feed_rule{"feed", "units|parameter", "units",
+                             "What F without a point counts: whole units, or the increments of the parameters."};
   ig::NumberOption length_increment{"length-increment", "0.001", {1e-9, 1}, "mm", "Least input increment, metric."};
   ig::NumberOption inch_increment{"inch-increment", "0.0001", {1e-9, 1}, "in", "Least input increment, inch."};
   ig::NumberOption angle_increment{"angle-increment", "0.001", {1e-9, 1}, "deg", "Least input increment, rotary."};
@@ -42,11 +45,15 @@ struct DecimalPointSyntax {
                            "The parameters that decide with rule=\"parameter\"."};
 
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::read | ig::wake};
+  ig::Signal feed_without_point{"Parsing.~FeedWithoutPoint", ig::read | ig::wake};
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::read | ig::wake};
   ig::Signal cuts_digits{"Parsing.~CutsDigits", ig::write, ig::Life::modal};
   UnitCodes units{ig::read};
   ig::In<ig::Symbol> system{"Unit.System"};
   ig::Name inch{"Inch"};
+  ig::Codes feed_codes{{"G93", "G94", "G95"}, ig::read};
+  ig::In<ig::Symbol> feed_mode{"Feedrate.Term"};
+  ig::Name g93{"G93"}, g95{"G95"};
   ig::Fields addresses{"addresses", "Parsing.?", ig::read | ig::write, "The words of the block."};
   ig::Fields codes{"codes", "Parsing.*", ig::read, "The codes that may own words.", IG_CODE};
   ig::Fields words{"words", "Parsing.*.?", ig::read | ig::write, "The words that they own."};
@@ -66,17 +73,25 @@ struct DecimalPointSyntax {
   Row tapping_block = without('J', cycle_block);
   Row further = row_of_further_axes();
   CycleInForce cycle;
-  bool changes_nothing = rule == Rule::as_written && resolution == Resolution::keep;
+  bool changes_nothing = rule == Rule::as_written && resolution == Resolution::keep && feed_rule == Feed::units;
   std::vector<Row> rows = changes_nothing ? std::vector<Row>() : measured(rows_of(codes, words));
 
   /// Increments per unit; exact where the increment is a power of ten.
   struct Steps {
     double mm, inch, deg;
   };
+  /// What F1 means in each mode.
+  struct FeedUnits {
+    double per_minute_mm, per_minute_inch, per_revolution_mm, per_revolution_inch, inverse_time;
+  };
   Steps steps{steps_of("LengthIncrement_mm", length_increment), steps_of("LengthIncrement_inch", inch_increment),
               steps_of("AngleIncrement_deg", angle_increment)};
   bool counts_increments = rule == Rule::increment ||
                            (rule == Rule::parameter && number_format.number("CalculatorDecimalPoint").value_or(0) == 0);
+
+  FeedUnits feed_units{feed_of("FeedIncrement_mm", 1), feed_of("FeedIncrement_inch", 0.01),
+                       feed_of("RevolutionFeedIncrement_mm", 0.01), feed_of("RevolutionFeedIncrement_inch", 0.0001),
+                       feed_of("InverseTimeIncrement", counts_increments ? 0.001 : 1)};
 
   DecimalPointSyntax() {
     if (changes_nothing) ig::stay_idle();
@@ -108,7 +123,8 @@ struct DecimalPointSyntax {
     return unit == "mm"    ? Quantity::length
            : unit == "deg" ? Quantity::angle
            : unit == "s"   ? Quantity::time
-                           : Quantity::other;
+           : unit == "mm/min" && feed_rule == Feed::parameter ? Quantity::feed
+                                                              : Quantity::other;
   }
 
   /// Words with the name of an axis, C2=90., have fields of their own.
@@ -172,6 +188,8 @@ struct DecimalPointSyntax {
     return std::abs(count - std::round(count)) < 1e-6 * count ? std::round(count) : count;
   }
 
+  double feed_of(std::string_view name, double fallback) const { return number_format.number(name).value_or(fallback); }
+
   bool is_inch(const ig::Block& b) const {
     const auto code = units.find(b);
     return code ? code->is_inch : b.is(system, inch);
@@ -197,8 +215,9 @@ struct DecimalPointSyntax {
   }
 
   bool read_bare(ig::Block& b, const Row& row, std::size_t i, double number) const {
-    if (rule == Rule::as_written || number == 0) return false;
     const Quantity quantity = row.quantities[i];
+    if (quantity == Quantity::feed) return read_bare_feed(b, row.words[i], number);
+    if (rule == Rule::as_written || number == 0) return false;
     const double value = counts_increments ? number / steps_for(b, quantity) : number;
     const std::string_view unit = quantity == Quantity::angle  ? "deg"
                                   : quantity == Quantity::time ? "s"
@@ -210,9 +229,26 @@ struct DecimalPointSyntax {
     return value != number;
   }
 
+  bool read_bare_feed(ig::Block& b, ig_field word, double number) const {
+    const auto code = b.find(feed_codes);
+    const ig::Symbol mode = code ? feed_codes.name(*code) : b.get_or(feed_mode, ig::Symbol{});
+    const bool in_inches = is_inch(b), per_revolution = mode == g95;
+    const double unit = mode == g93      ? feed_units.inverse_time
+                        : per_revolution ? (in_inches ? feed_units.per_revolution_inch : feed_units.per_revolution_mm)
+                                         : (in_inches ? feed_units.per_minute_inch : feed_units.per_minute_mm);
+    if (unit == 1 || number == 0) return false;
+    const double value = number / std::round(1 / unit);
+    b.report(ig::diag("ISO-0115"), ig::Where::word(word), std::string_view("F"), number, value,
+             std::string_view(mode == g93      ? "1/min"
+                              : per_revolution ? (in_inches ? "in/rev" : "mm/rev")
+                                               : (in_inches ? "in/min" : "mm/min")));
+    b.rewrite(word, value);
+    return true;
+  }
+
   /// Cuts off digits below the increment, toward zero.
   bool read_pointed(ig::Block& b, const Row& row, std::size_t i, double number) const {
-    if (resolution == Resolution::keep) return false;
+    if (resolution == Resolution::keep || row.quantities[i] == Quantity::feed) return false;
     const double step = steps_for(b, row.quantities[i]);
     const double count = number * step;
     const double nearest = std::round(count);

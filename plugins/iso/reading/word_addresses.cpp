@@ -8,8 +8,10 @@ WordAddresses::WordAddresses(const ig::Fields& addresses) {
     const unsigned letter = letter_index(name);
     const std::string_view unit = addresses.unit(i);
     if (letter >= 26) continue;
-    const bool counts = unit == "mm" || unit == "deg" || unit == "s";
-    table_[letter] = {addresses.id(i), counts, counts || letter == letter_index('P')};
+    const std::uint8_t counts = unit == "mm" || unit == "deg" || unit == "s" ? counts_increments
+                                : unit == "mm/min"                           ? counts_feed
+                                                                             : 0;
+    table_[letter] = {addresses.id(i), counts != 0 || letter == letter_index('P'), counts};
     constexpr std::string_view others = "GMNO";
     const char upper = to_upper(name);
     const bool begins = addresses.id(i) != IG_NO_FIELD && others.find(upper) == std::string_view::npos;

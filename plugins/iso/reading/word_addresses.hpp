@@ -13,10 +13,11 @@ using namespace ig::cnc;
 
 class WordAddresses {
  public:
+  enum Counts : std::uint8_t { counts_increments = 1, counts_feed = 2 };
   struct Address {
     ig_field field = IG_NO_FIELD;
-    bool counts_increments = false;
-    bool may_lack_point = false;  ///< P: seconds or milliseconds on some controls
+    bool may_lack_point = false;  ///< P, too: seconds or milliseconds on some controls
+    std::uint8_t without_point = 0;  ///< what a number without a point counts
   };
 
   explicit WordAddresses(const ig::Fields& addresses);

@@ -46,6 +46,7 @@ struct WordSyntax {
                                "A second T in a block: replaces the first, or preselects the next tool."};
   ig::Field<double> next_tool{"Parsing.NextTool", ig::write};
   ig::Signal without_point{"Parsing.~WithoutPoint", ig::write};
+  ig::Signal feed_without_point{"Parsing.~FeedWithoutPoint", ig::write};
   ig::Signal fine_digits{"Parsing.~FineDigits", ig::write};
   ig::Signal cuts_digits{"Parsing.~CutsDigits", ig::read, ig::Life::modal};
 
@@ -61,7 +62,7 @@ struct WordSyntax {
     std::uint32_t count = 0;
     std::uint32_t letters = 0;
     bool has_next_tool = false;
-    bool without_point = false;
+    std::uint8_t without_point = 0;  // WordAddresses::Counts
     std::ptrdiff_t most_decimals = 0;
   };
 
@@ -124,7 +125,7 @@ struct WordSyntax {
     }
     run.letters |= 1u << letter;
     const bool bare = !d.has_point && address.may_lack_point && d.value != 0;
-    run.without_point |= bare && address.counts_increments;
+    if (bare) run.without_point |= address.without_point;
     run.most_decimals = std::max(run.most_decimals, d.decimals);
     run.words[place] = {.field = field,
                         .begin = column(begin),
@@ -203,7 +204,8 @@ struct WordSyntax {
       }
     }
     b.set_words(run.words.data(), run.count);
-    if (run.without_point) b.raise(without_point);
+    if ((run.without_point & WordAddresses::counts_increments) != 0) b.raise(without_point);
+    if ((run.without_point & WordAddresses::counts_feed) != 0) b.raise(feed_without_point);
     if (run.most_decimals > 3 && b.is_raised(cuts_digits)) b.raise(fine_digits);
   }
 
