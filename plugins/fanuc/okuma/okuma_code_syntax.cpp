@@ -1,7 +1,4 @@
-/// Functions of an Okuma OSP that are recognised but not executed; G04 F and M54, which are executed; and M53, which is
-/// right where the cycle begins at the level of G71.
-#include <cmath>
-
+/// Functions of an Okuma OSP that are recognised but not executed; and G04 F, G71, M53 and M54, which are executed.
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/recognised_codes.hpp>
 #include <isogloss/sdk.hpp>
@@ -19,7 +16,7 @@ struct OkumaCode {
           .before("DwellSyntax", "CannedCycleResolveSyntax", "NotExecutedSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "FAN-0203",
-                     "M53 is not executed: the cycle returns to {0} mm, where it began, not to the level of G71"),
+                     "M53 without a level, which G71 Z gives: the cycle returns to the level where it began"),
   };
 
   RecognisedCodes codes_{
@@ -39,11 +36,11 @@ struct OkumaCode {
   ig::Out<double> time_{"Dwell.Time"};
   ig::Field<double> return_level_{"CannedCycle.ReturnLevel",
                                   ig::read | ig::write,
-                                  {ig::Life::modal, "mm", "Level of G71, to which a cycle returns after M53."}};
-  ig::In<double> initial_level_{"CannedCycle.InitialLevel"};
+                                  {ig::Life::modal, "mm",
+                                   "Level to which the cycles return where the program names it."}};
   ig::Out<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
   ig::Signal return_to_r_{"CannedCycle.~ReturnToR", ig::read | ig::write, ig::Life::modal};
-  ig::Previous<double> tool_{"ProgramXyz.Z"};
+  ig::Signal return_to_level_{"CannedCycle.~ReturnToNamedLevel", ig::read | ig::write, ig::Life::modal};
   ig::Name g98_{"G98"}, g99_{"G99"};
 
   ig::Status build(ig::Block& b) {
@@ -79,20 +76,19 @@ struct OkumaCode {
 
   void return_to_initial(ig::Block& b) const {
     b.erase(return_to_r_);
+    b.erase(return_to_level_);
     if (b.has(return_mode_)) b.amend(return_mode_, static_cast<ig::Symbol>(g98_));
   }
 
   void return_to(ig::Block& b, std::size_t code) const {
+    return_to_initial(b);
     if (code == to_r) {
       b.raise(return_to_r_);
       if (b.has(return_mode_)) b.amend(return_mode_, static_cast<ig::Symbol>(g99_));
       return;
     }
-    return_to_initial(b);
-    const double level = b.get(initial_level_).value_or(b.get_or(tool_, 0.0));
-    const auto named = b.get(return_level_);
-    if (!named || std::fabs(*named - level) > 1e-6)
-      b.report(ig::diag("FAN-0203"), ig::Where::word(returns_.id(code)), level);
+    b.raise(return_to_level_);
+    if (!b.has(return_level_)) b.report(ig::diag("FAN-0203"), ig::Where::word(returns_.id(code)));
   }
 };
 

@@ -42,7 +42,7 @@ struct BackBoring {
   ig::Choice<Positioning> positioning_{"positioning", "shifted|centred", "shifted",
                                        "Where the tool shifts: on its way to the bore, or at the bore."};
   ig::Choice<Dwell> dwell_at_{"dwell", "none|end-of-cut", "none", "Where P waits."};
-  ig::In<double> initial_level_{"CannedCycle.InitialLevel"};
+  CycleReturnLevel return_level_;
 
   ig::Status build(ig::Block& b) {
     auto run = cycle_.take(b);
@@ -86,7 +86,7 @@ struct BackBoring {
   void check_levels(ig::Block& b, CycleRun& run, double low, double high) const {
     if (r_is_ == RLevel::bottom && !run.returns_to_initial) {
       b.report(ig::diag("ISO-0345"), ig::Where::block());
-      run.return_level = b.get_or(initial_level_, run.start[run.plane.tool]);
+      run.return_level = return_level_(b, run.start[run.plane.tool]);
     }
     if (low < high) return;
     const char bottom_word = "XYZ"[run.plane.tool];

@@ -91,6 +91,23 @@ struct CycleHole {
   Vec3 at(double level) const { return plane.at_level(position, level); }
 };
 
+/// The level to which a cycle under G98 returns. A member of the syntaxes that need it.
+class CycleReturnLevel {
+ public:
+  /// In mm: the level that the program names for all cycles (Okuma: G71 with M53), else the initial level, where a
+  /// cycle has one, else `tool`.
+  double operator()(const Block& b, double tool) const {
+    if (b.is_raised(is_named_) && b.has(named_)) return b.get_or(named_, tool);
+    return b.get_or(initial_, tool);
+  }
+
+ private:
+  In<double> initial_{"CannedCycle.InitialLevel"};
+  Field<double> named_{
+      "CannedCycle.ReturnLevel", read, {Life::modal, "mm", "Level to which the cycles return where the program names it."}};
+  Signal is_named_{"CannedCycle.~ReturnToNamedLevel", read, Life::modal};
+};
+
 /// A resolved call, ready to be carried out. Lengths and levels in mm of program coordinates.
 struct CycleRun {
   CycleRun() {}  // NOLINT(modernize-use-equals-default): it would set all of it to 0 first
@@ -153,7 +170,7 @@ class CannedCycle {
     run.bottom = run.first[run.plane.tool];
     run.r_level = words.get_or(CycleWords::R, level);
     run.returns_to_initial = !b.is(return_mode_, g99_);
-    run.return_level = run.returns_to_initial ? b.get_or(initial_level_, level) : run.r_level;
+    run.return_level = run.returns_to_initial ? level_(b, level) : run.r_level;
     feed_.resolve(b, words[CycleWords::F], where(run, CycleWords::F));
     if (words.get_or(CycleWords::P, 0) < 0) {
       b.report(diag("ISO-0337"), where(run, CycleWords::P), b.text(run.code), words.get_or(CycleWords::P, 0));
@@ -202,7 +219,7 @@ class CannedCycle {
                                     In<double>{"CannedCycle.Params.I"}, In<double>{"CannedCycle.Params.J"},
                                     In<double>{"CannedCycle.Params.K"}};
   In<Symbol> return_mode_{"CannedCycle.ReturnMode"};
-  In<double> initial_level_{"CannedCycle.InitialLevel"};
+  CycleReturnLevel level_;
   Xyz program_{"ProgramXyz", write};
   Name g99_{"G99"};
   FeedInForce feed_{read | write};
