@@ -5,7 +5,7 @@ namespace isogloss {
 namespace {
 
 // The types that it refers to and does not hold follow from the plugins.
-constexpr const char* frame = R"(
+constexpr const char* schema_frame = R"(
 <xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema" xmlns="urn:isogloss:dialect:1"
            targetNamespace="urn:isogloss:dialect:1" elementFormDefault="qualified">
   <xs:element name="Dialect">
@@ -172,6 +172,6 @@ constexpr const char* frame = R"(
 
 }  // namespace
 
-const char* dialect_schema_frame() { return frame; }
+const char* dialect_schema_frame() { return schema_frame; }
 
 }  // namespace isogloss
