@@ -129,7 +129,7 @@ std::unique_ptr<LinkedDialect> Workspace::link(const std::string& name, const st
   } without_notes(sink);
   std::optional<Dialect> dialect = read(name, without_notes);
   if (!dialect || !add_missing(own, *dialect, library_, without_notes)) return nullptr;
-  return isogloss::link(*dialect, library_, without_notes);
+  return isogloss::link(std::move(*dialect), library_, without_notes);
 }
 
 void Workspace::report(std::string_view code, Location where, std::initializer_list<std::string> arguments,

@@ -9,8 +9,7 @@ namespace isogloss {
 namespace {
 
 void find_syntax(Linking& linking, const ChainElement& element) {
-  LinkedSyntax s;
-  s.element = element;
+  LinkedSyntax s(element);
   s.syntax = linking.library.syntax(element.syntax, &s.plugin);
   if (s.syntax == nullptr || !is_named(linking.out.dialect, *s.plugin)) {
     linking.report("IG-0202", element.where, {element.syntax}, cure(linking, element.syntax, syntax_names));
@@ -26,8 +25,7 @@ void find_syntax(Linking& linking, const ChainElement& element) {
 }
 
 void find_dependency(Linking& linking, const DependencyElement& element) {
-  LinkedDependency d;
-  d.element = element;
+  LinkedDependency d(element);
   d.dependency = linking.library.dependency(element.id, &d.plugin);
   if (d.dependency == nullptr || !is_named(linking.out.dialect, *d.plugin)) {
     linking.report("IG-0203", element.where, {element.id}, cure(linking, element.id, dependency_names));

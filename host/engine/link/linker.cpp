@@ -53,10 +53,10 @@ std::optional<std::uint32_t> LinkedDialect::position(std::string_view alias) con
   return std::nullopt;
 }
 
-std::unique_ptr<LinkedDialect> link(const Dialect& dialect, Library& library, DiagnosticSink& sink, LinkMode mode) {
+std::unique_ptr<LinkedDialect> link(Dialect dialect, Library& library, DiagnosticSink& sink, LinkMode mode) {
   auto out = std::make_unique<LinkedDialect>();
-  out->dialect = dialect;
-  if (is_incomplete(dialect) && !complete_machine(out->dialect, library, sink)) return nullptr;
+  out->dialect = std::move(dialect);
+  if (is_incomplete(out->dialect) && !complete_machine(out->dialect, library, sink)) return nullptr;
   Linking linking{*out, library, sink, mode};
   find_parts(linking);
   FieldDrafts drafts(linking);

@@ -180,8 +180,8 @@ std::optional<std::string> apply(const Application& application, const Surroundi
   if (!own) return std::nullopt;
   try {
     std::string alias = application.syntax;
-    const Dialect dialect = surround(*syntax, *plugin, surroundings, *own, application.where, alias, library);
-    const std::unique_ptr<LinkedDialect> linked = link(dialect, library, sink, LinkMode::parts);
+    Dialect dialect = surround(*syntax, *plugin, surroundings, *own, application.where, alias, library);
+    const std::unique_ptr<LinkedDialect> linked = link(std::move(dialect), library, sink, LinkMode::parts);
     if (linked == nullptr) return std::nullopt;
     ChainSettings settings;
     settings.mode = Mode::checked;
@@ -200,8 +200,8 @@ LinkedAlone link_alone(const ig_syntax& syntax, const ig_plugin& plugin, const S
   const auto own = read_case_dependencies(dependencies, syntax.id, {}, sink);
   if (!own) return {};
   std::string alias = syntax.id;
-  const Dialect dialect = surround(syntax, plugin, surroundings, *own, {}, alias, library);
-  LinkedAlone out{link(dialect, library, sink, LinkMode::parts)};
+  Dialect dialect = surround(syntax, plugin, surroundings, *own, {}, alias, library);
+  LinkedAlone out{link(std::move(dialect), library, sink, LinkMode::parts)};
   if (out.linked != nullptr) out.position = out.linked->position(alias).value();
   return out;
 }

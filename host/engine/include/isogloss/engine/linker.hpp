@@ -39,7 +39,9 @@ struct LookAhead {
 };
 
 struct LinkedSyntax {
-  ChainElement element;
+  explicit LinkedSyntax(const ChainElement& named) : element(named) {}
+
+  const ChainElement& element;  ///< of LinkedDialect::dialect
   const ig_syntax* syntax = nullptr;
   const ig_plugin* plugin = nullptr;
   std::vector<ig_field> ids;                      ///< by declaration
@@ -49,13 +51,20 @@ struct LinkedSyntax {
 };
 
 struct LinkedDependency {
-  DependencyElement element;
+  explicit LinkedDependency(const DependencyElement& named) : element(named) {}
+
+  const DependencyElement& element;  ///< of LinkedDialect::dialect
   const ig_dependency* dependency = nullptr;
   const ig_plugin* plugin = nullptr;
   std::vector<OptionValue> options;
 };
 
+/// Neither copied nor moved: its parts refer to its dialect.
 struct LinkedDialect {
+  LinkedDialect() = default;
+  LinkedDialect(const LinkedDialect&) = delete;
+  LinkedDialect& operator=(const LinkedDialect&) = delete;
+
   Dialect dialect;
   Layout layout;
   SymbolTable symbols;
@@ -76,7 +85,7 @@ struct LinkedDialect {
 enum class LinkMode { whole, parts };
 
 /// Checks and links. Reports every fault that it finds, not only the first; empty when there was an error.
-std::unique_ptr<LinkedDialect> link(const Dialect& dialect, Library& library, DiagnosticSink& sink,
+std::unique_ptr<LinkedDialect> link(Dialect dialect, Library& library, DiagnosticSink& sink,
                                     LinkMode mode = LinkMode::whole);
 
 /// A service and the dependencies that offer it, by their places in the dialect: the first one answers.
