@@ -6,6 +6,15 @@ using namespace ig::cnc;
 
 namespace {
 
+const ig::Diagnostics contour_side_diagnostics{
+    ig::diagnostic(
+        IG_WARNING, "HEI-0391",
+        "the tool radius changes while {0} is in force, and acts from the next move: program R0 before it",
+        "Manuals do not say what a control does with RL and RR at TOOL CALL. Here the side stays in force, and "
+        "the moves after it have the distance of the new radius.",
+        "5 TOOL CALL 6 Z S3000 (after L X+10 RL)"),
+};
+
 /// The second letter of an R word ends it.
 bool ends_with_second_letter(std::string_view text, std::size_t position) {
   const char behind = at(text, position + 2);
@@ -40,6 +49,14 @@ std::size_t ContourSide::scan(ig::Block& b, std::string_view text, std::size_t p
     return position + 2;
   }
   return is_letter(d) || is_digit(d) ? position : position + 1;
+}
+
+void ContourSide::change_tool(ig::Block& b, std::int64_t row, bool is_other_delta, std::size_t begin,
+                              std::size_t end) const {
+  const bool is_other_tool = b.get_or(offset_in_force_, std::int64_t{0}) != row;
+  if (!is_in_force(b) || !(is_other_tool || is_other_delta)) return;
+  b.report(ig::diag("HEI-0391"), ig::Where::columns(begin, end), std::string_view(b.is(term_, g41_) ? "RL" : "RR"));
+  if (is_other_tool) put_word(b, offset_word_.id(), begin, end, static_cast<double>(row));
 }
 
 void ContourSide::set(ig::Block& b, Side side, std::size_t begin, std::size_t end) const {

@@ -18,6 +18,10 @@ class ContourSide {
   /// position after the word, `position` where it is none of them. R+ and R- are reported.
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position, bool& is_beside) const;
 
+  /// TOOL CALL between `begin` and `end` puts another tool, of which this is the row, under RL or RR: its radius counts
+  /// from here on, which is reported. So is another DR for the same tool.
+  void change_tool(ig::Block& b, std::int64_t row, bool is_other_delta, std::size_t begin, std::size_t end) const;
+
   bool is_in_force(const ig::Block& b) const { return b.is(term_, g41_) || b.is(term_, g42_); }
 
   void end(ig::Block& b, std::size_t begin, std::size_t end) const {

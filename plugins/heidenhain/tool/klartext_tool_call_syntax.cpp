@@ -4,6 +4,7 @@
 
 #include "language/block_words.hpp"
 #include "language/program_unit.hpp"
+#include "motion/contour_side.hpp"
 #include "motion/feed_words.hpp"
 #include "motion/m_functions.hpp"
 #include "tool/called_tool.hpp"
@@ -28,8 +29,9 @@ struct KlartextToolCall {
   Values values_;
   FeedWords feed_;
   MFunctions m_;
+  ContourSide side_;
   ig::Field<double> t_{"Parsing.T", ig::write};
-  ig::Field<double> s_{"Parsing.S", ig::write};
+  ig::Field<double> s_{"Parsing.S", ig::read | ig::write};
   ig::Codes change_{{"M06"}, ig::write};
   ig::Codes planes_{{"G17", "G18", "G19"}, ig::write};
   ig::Call length_{{"G43"}, "H[]", ig::write};
@@ -58,15 +60,25 @@ struct KlartextToolCall {
   }
 
  private:
+  /// What a tool call adds to the length and radius of the table, in mm.
+  struct Deltas {
+    std::optional<double> length{}, radius{};
+    bool are_given = false;  ///< DR2 alone sets both to 0 as well
+  };
+
   void read_call(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
     const std::size_t tool_begin = i;
     const CalledTool tool = tools_.read(b, values_, text, i);
     const double row = tools_.present_row(b, tool, text, tool_begin, i);
-    double length = 0, radius = 0;
-    bool is_rapid = false, has_delta = false;
+    if (!tool.is_given && i >= text.size()) {
+      b.report(ig::diag("HEI-0119"), ig::Where::columns(begin, text.size()), std::string_view("the tool"));
+      return;
+    }
+    Deltas deltas;
+    bool is_rapid = false;
     while ((i = skip(text, i)) < text.size()) {
-      const std::size_t next = call_word(b, text, i, length, radius, has_delta, is_rapid);
+      const std::size_t next = call_word(b, text, i, deltas, is_rapid);
       if (next == i) {
         report_not_a_word(b, text, i, "TOOL CALL");
         break;
@@ -74,8 +86,15 @@ struct KlartextToolCall {
       i = next;
     }
     if (const auto feed = feed_.word(b)) feed_.keep(b, *feed);
-    if (tool.is_given || has_delta) set_deltas(b, length, radius);
-    if (!tool.is_given && has_delta) note_parameters(b, static_cast<double>(b.get_or(row_, std::int64_t{-1})), radius);
+    const double radius = deltas.radius.value_or(0);
+    if (tool.is_given || deltas.are_given) {
+      const auto counts =
+          static_cast<std::int64_t>(tool.is_known ? row : static_cast<double>(b.get_or(row_, std::int64_t{0})));
+      side_.change_tool(b, counts, radius != b.get_or(radius_delta_, 0.0), begin, begin + 9);
+      set_deltas(b, deltas.length.value_or(0), radius);
+    }
+    if (!tool.is_given && deltas.are_given)
+      note_parameters(b, static_cast<double>(b.get_or(row_, std::int64_t{-1})), radius);
     if (!tool.is_known) return;
     put_word(b, t_.id(), begin, begin + 9, tool.number);
     put_code(b, change_.id(0), begin, begin + 9);
@@ -84,18 +103,21 @@ struct KlartextToolCall {
     note_parameters(b, row, radius);
   }
 
-  std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, double& length, double& radius,
-                        bool& has_delta, bool& is_rapid) const {
+  std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, Deltas& deltas, bool& is_rapid) const {
     const char c = to_upper(text[i]), d = to_upper(at(text, i + 1));
     if (c == 'D' && (d == 'L' || d == 'R')) {
       const std::size_t value = to_upper(at(text, i + 2)) == '2' && d == 'R' ? i + 3 : i + 2;
       const Value v = read(b, text, value);
-      has_delta = true;
-      if (v.ok && value == i + 2) (d == 'L' ? length : radius) = v.number * unit_.in_mm(b);
-      return v.ok ? v.end : value;
+      deltas.are_given = true;
+      if (!v.ok || value != i + 2) return v.ok ? v.end : value;
+      std::optional<double>& delta = d == 'L' ? deltas.length : deltas.radius;
+      if (delta) report_repeated(b, text, i, v.end);
+      delta = v.number * unit_.in_mm(b);
+      return v.end;
     }
     if (c == 'S') {
       const Value v = read(b, text, i + 1);
+      if (v.ok && b.has(s_)) report_repeated(b, text, i, v.end);
       if (v.ok) put_word(b, s_.id(), i, v.end, v.number);
       return v.ok ? v.end : i + 1;
     }
@@ -107,6 +129,9 @@ struct KlartextToolCall {
     if (axis == 1 || axis == 2) b.report(ig::diag("HEI-0153"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
     if (axis > 2) b.report(ig::diag("HEI-0151"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
     return i + 1;
+  }
+  static void report_repeated(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
+    b.report(ig::diag("HEI-0106"), ig::Where::columns(begin, end), trim(piece(text, begin, end)));
   }
   /// A final point does not belong to the number: DL0.
   Value read(ig::Block& b, std::string_view text, std::size_t i) const {
