@@ -4,8 +4,21 @@ namespace heidenhain {
 
 using namespace ig::cnc;
 
+namespace {
+
+using Shape = ContourApproach::Shape;
+
+constexpr std::array<std::string_view, 8> shape_names{"LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"};
+
+/// LEN belongs to LT and LN, R to CT and LCT, CCA to CT.
+bool uses(Shape shape, std::string_view measure) {
+  const bool is_straight = shape == Shape::line || shape == Shape::normal;
+  return measure == "LEN" ? is_straight : measure == "R" ? !is_straight : shape == Shape::arc;
+}
+
+}  // namespace
+
 bool ApproachShape::is_complete() const {
-  using Shape = ContourApproach::Shape;
   if (!shape) return false;
   if (*shape == Shape::line || *shape == Shape::normal) return length && *length >= 0;
   return radius && *radius != 0 && (*shape != Shape::arc || (angle && *angle > 0));
@@ -16,10 +29,13 @@ std::size_t ApproachWords::scan(ig::Block& b, const Values& values, std::string_
   const std::size_t end = letters_end(text, position);
   const std::string_view letters = piece(text, position, end);
   const auto is = [&](std::string_view name) { return equals_ignoring_case(letters, name); };
-  static constexpr std::array<std::string_view, 8> shapes{"LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"};
-  for (std::size_t k = 0; k < shapes.size(); ++k)
-    if (is(shapes[k])) {
-      found.shape = static_cast<ContourApproach::Shape>(k % 4);
+  const auto report_repeated = [&](std::size_t behind) {
+    b.report(ig::diag("HEI-0106"), ig::Where::columns(position, behind), trim(piece(text, position, behind)));
+  };
+  for (std::size_t k = 0; k < shape_names.size(); ++k)
+    if (is(shape_names[k])) {
+      if (found.shape) report_repeated(end);
+      found.shape = static_cast<Shape>(k % 4);
       return end;
     }
   struct Measure {
@@ -32,6 +48,14 @@ std::size_t ApproachWords::scan(ig::Block& b, const Values& values, std::string_
     const bool is_side = measure.name == "R" && ContourSide::ends(text, position);
     if (number == position || is_side) continue;
     const Value v = values.read(b, text, number);
+    if (v.ok && found.shape && !uses(*found.shape, measure.name)) {
+      const std::string of =
+          std::string(name_of(function)) + ' ' + std::string(shape_names[static_cast<std::size_t>(*found.shape)]);
+      b.report(ig::diag("HEI-0103"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)),
+               std::string_view(of));
+      return v.end;
+    }
+    if (v.ok && measure.value) report_repeated(v.end);
     if (v.ok)
       measure.value = v.number;
     else

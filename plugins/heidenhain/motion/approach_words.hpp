@@ -19,6 +19,7 @@ struct ApproachShape {
   std::optional<ContourApproach::Shape> shape{};
   std::optional<double> length{}, radius{}, angle{};
   bool is_beside = false;  ///< the block holds RL or RR
+  bool is_at_named_point() const { return shape == ContourApproach::Shape::line_and_arc; }
   bool is_complete() const;
 };
 
@@ -26,7 +27,8 @@ struct ApproachShape {
 class ApproachWords {
  public:
   /// Reads LT, LN, CT, LCT, in polar coordinates PLT and so on, and LEN, CCA and R with a value; returns the position
-  /// after the word, `position` where none of them is there. A word without a value is reported.
+  /// after the word, `position` where none of them is there. A word without a value, one that the shape does not use
+  /// and one that stands twice are reported.
   std::size_t scan(ig::Block& b, const Values& values, std::string_view text, std::size_t position,
                    PathFunction function, ApproachShape& found) const;
 

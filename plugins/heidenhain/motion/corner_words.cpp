@@ -29,7 +29,9 @@ void CornerWords::set(ig::Block& b, PathFunction function, double size, ig::Wher
   if (size < 0)
     b.report(ig::diag("HEI-0130"), where, name_of(function),
              std::string_view("it is less than 0, the corner stays sharp"));
-  else if (size > 0)
+  else if (size == 0)
+    b.report(ig::diag("HEI-0105"), where, std::string_view("0"), name_of(function));
+  else
     b.set(function == PathFunction::RND ? radius_ : chamfer_, size * unit_.in_mm(b));
 }
 

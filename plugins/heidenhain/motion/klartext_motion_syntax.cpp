@@ -91,10 +91,14 @@ struct KlartextMotion {
         if ((has_steps >> axis & 1u) != 0) way.to[axis] = base[axis] + steps[axis].number;
     }
     const bool is_polar = function == lp_ || function == cp_ || function == ctp_;
+    if (is_polar) refuse_in_plane(b, way, named.mask, has_steps, b.text(function));
     if (is_polar && !polar_.resolve(b, way)) return drop(b);
     if (retract_.is_programmed(b) && retract_.follow(b, way, last_(b))) put(b, way);
-    if (const auto words = departure_.words(b); words && departure_.follow(b, way, *words, b.get(tangent_)))
+    if (const auto words = departure_.words(b); words && departure_.follow(b, way, *words, b.get(tangent_))) {
+      if (words->shape != KlartextDeparture::Shape::line_and_arc && !is_polar)
+        report_in_plane(b, way, named.mask, has_steps, "DEP");
       put(b, way);
+    }
     const bool is_computed = is_polar || has_steps != 0 || named.mask == 0 || function == c_ || function == ct_;
     if (is_computed && !(is_position(way.from) && is_position(way.to))) {
       b.report(ig::diag("HEI-0182"), ig::Where::block(), b.text(function));
@@ -118,6 +122,29 @@ struct KlartextMotion {
 
   bool is_arc(ig::Symbol function) const {
     return function == c_ || function == cp_ || function == cr_ || function == ct_ || function == ctp_;
+  }
+
+  /// Reports X and Y where the block gets its point in the plane from other words.
+  void report_in_plane(ig::Block& b, const KlartextWay& way, std::uint32_t named, std::uint32_t has_steps,
+                       std::string_view of) const {
+    for (const std::size_t axis : {way.plane.first, way.plane.second})
+      if (((named | has_steps) >> axis & 1u) != 0) {
+        const bool is_step = (has_steps >> axis & 1u) != 0;
+        const std::string word = std::string(is_step ? "I" : "") + "XYZ"[axis];
+        b.report(ig::diag("HEI-0103"), ig::Where::word(is_step ? steps_[axis] : words_.id(axis)),
+                 std::string_view(word), of);
+      }
+  }
+  /// The same for a polar function, and takes the words out of the block and of its way.
+  void refuse_in_plane(ig::Block& b, KlartextWay& way, std::uint32_t named, std::uint32_t has_steps,
+                       std::string_view of) const {
+    report_in_plane(b, way, named, has_steps, of);
+    for (const std::size_t axis : {way.plane.first, way.plane.second})
+      if ((way.mask >> axis & 1u) != 0) {
+        b.erase(words_.id(axis));
+        way.to[axis] = way.from[axis];
+        way.mask &= ~(1u << axis);
+      }
   }
 
   /// The start of the block in coordinates of the program, before mirror images, which come after this syntax.

@@ -154,13 +154,13 @@ struct KlartextPath {
     if (c == 'I') {
       if (const std::size_t axis = axis_of(d); axis < 6) return put(b, text, i, i + 2, steps_[axis], path, axes_[axis]);
       const std::size_t p = d == 'P' ? polar_of(at(text, i + 2)) : 2;
-      return p < 2 ? put(b, text, i, i + 3, polar_steps_[p], path, polar_[p]) : i;
+      return p < 2 ? put_polar(b, text, i, i + 3, polar_steps_[p], path, polar_[p]) : i;
     }
     if (const std::size_t axis = axis_of(c); axis < 6) return put(b, text, i, i + 1, axes_[axis], path, steps_[axis]);
     switch (c) {
       case 'P': {
         const std::size_t p = polar_of(d);
-        return p < 2 ? put(b, text, i, i + 2, polar_[p], path, polar_steps_[p]) : i;
+        return p < 2 ? put_polar(b, text, i, i + 2, polar_[p], path, polar_steps_[p]) : i;
       }
       case 'F': return feed_.scan(b, values_, text, i, path.is_rapid);
       case 'M': return m_.scan(b, values_, text, i);
@@ -172,6 +172,8 @@ struct KlartextPath {
         const std::size_t sign = skip_blanks(text, i + 2);
         const char s = at(text, sign);
         if (d != 'R' || (s != '+' && s != '-')) return i;
+        const bool turns = path.function == C || path.function == CR || path.function == CP;
+        if (!turns) return foreign(b, text, i, sign + 1, path);
         if (path.is_ccw) b.report(ig::diag("HEI-0106"), ig::Where::columns(i, sign + 1), piece(text, i, sign + 1));
         path.is_ccw = s == '+';
         return sign + 1;
@@ -232,6 +234,22 @@ struct KlartextPath {
     put_word(b, field, begin, v.end, v.number + 0.0);
     path.has_axis = true;
     return v.end;
+  }
+
+  /// The same for PR, PA, IPR and IPA, which polar functions alone have.
+  std::size_t put_polar(ig::Block& b, std::string_view text, std::size_t begin, std::size_t value, ig_field field,
+                        Path& path, ig_field other) const {
+    const bool is_polar = path.function == LP || path.function == CP || path.function == CTP;
+    const bool leads = path.function == APPR || (path.function == DEP && path.approach.is_at_named_point());
+    if (is_polar || leads) return put(b, text, begin, value, field, path, other);
+    const Value v = values_.read(b, text, value);
+    return foreign(b, text, begin, v.ok ? v.end : value, path);
+  }
+
+  /// A word of other functions alone: the rest of the block is executed.
+  std::size_t foreign(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end, const Path& path) const {
+    b.report(ig::diag("HEI-0103"), ig::Where::columns(begin, end), trim(piece(text, begin, end)), path.name());
+    return end;
   }
 
   void unknown(ig::Block& b, std::string_view text, std::size_t i, const Path& path) const {
