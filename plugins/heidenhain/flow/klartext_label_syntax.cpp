@@ -21,6 +21,9 @@ struct KlartextLabel {
                                    .scans_ahead();
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0121", "the program {0} is not found, so it is not called: {1}"),
+      ig::diagnostic(
+          IG_ERROR, "HEI-0392",
+          "LBL {0} stands more than once in this program, which a control refuses: give each label its own name"),
       ig::diagnostic(IG_ERROR, "HEI-0373", "no program is selected, so none is called: program SEL PGM before it"),
   };
 
@@ -103,7 +106,19 @@ struct KlartextLabel {
     }
     b.set_text(label_, name);
     report_rest(b, text, end, "LBL");
+    if (name != "0") report_second(b, name);
     if (name == "0" && values_.flow().frame(b).tag == called_label) values_.flow().leave(b);
+  }
+
+  void report_second(ig::Block& b, const std::string& name) {
+    const bool is_in_program = values_.flow().here(b).line > 0;  // a case of a page is in none
+    if (!is_in_program) return;
+    const auto is_there = [&](ig_search where) { return values_.flow().has_label(b, "L" + name, where); };
+    if (!is_there(IG_SEARCH_FORWARD) && !is_there(IG_SEARCH_BACKWARD)) return;
+    QStore* const store = values_.store();
+    const std::string place = std::string(ig::to_view(values_.flow().frame(b).file)) + '\n' + name;
+    if (store == nullptr || store->is_first_time(392, place))
+      b.report(ig::diag("HEI-0392"), whole(), std::string_view(name));
   }
 
   /// REP 3/3, REP Q3/Q3: the control shows the remaining repeats, and writes them into listings.
