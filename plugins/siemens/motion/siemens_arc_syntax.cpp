@@ -29,6 +29,9 @@ struct SiemensArc {
                      "CIP leaves the plane of G17, G18 or G19, so the arc is shown as a straight line"),
       ig::diagnostic(IG_ERROR, "SIE-0224",
                      "CIP is shown as a straight line: its three points lie on no circle, so check I1 J1 K1"),
+      ig::diagnostic(
+          IG_ERROR, "SIE-0227",
+          "AR= is ignored, because the block also gives {0}: program it with an end point or a centre alone"),
       ig::diagnostic(IG_WARNING, "SIE-0225",
                      "an arc under unequal scales is no circle in the machine: scale both axes of the plane alike"),
       ig::diagnostic(IG_WARNING, "SIE-0290",
@@ -44,7 +47,7 @@ struct SiemensArc {
   ig::Word cr_{"Parsing.CR", ig::wake, "mm"}, ar_{"Parsing.AR", ig::wake, "deg"};
   std::array<ig::Word, 3> middle_{ig::Word{"Parsing.I1", ig::take, "mm"}, ig::Word{"Parsing.J1", ig::take, "mm"},
                                   ig::Word{"Parsing.K1", ig::take, "mm"}};
-  ig::Word r_{"Parsing.R", ig::write};
+  ig::Word r_{"Parsing.R", ig::read | ig::write};
   std::array<ig::Word, 3> centre_{ig::Word{"Parsing.I", ig::take | ig::write},
                                   ig::Word{"Parsing.J", ig::take | ig::write},
                                   ig::Word{"Parsing.K", ig::take | ig::write}};
@@ -97,7 +100,8 @@ struct SiemensArc {
     b.set(centre_[plane.second], rounded(from_start.v));
   }
 
-  /// AR with the end point gives the centre; AR with the centre gives the end point.
+  /// AR with the end point gives the centre; AR with the centre gives the end point. With both the arc is known without
+  /// AR.
   void by_angle(ig::Block& b, double degrees, bool is_ccw) const {
     const auto where = ig::Where::word(ar_.id());
     if (!(degrees > 0 && degrees < 360)) {
@@ -107,6 +111,13 @@ struct SiemensArc {
     const PlaneAxes plane = plane_(b);
     const ig::Vec3 from = last_(b);
     const ig::PartialVec3 named = b.get(words_);
+    const bool has_centre = b.has(centre_[plane.first]) || b.has(centre_[plane.second]);
+    const bool has_end = named.has(plane.first) || named.has(plane.second);
+    if (b.has(r_) || (has_centre && has_end)) {
+      const std::string_view others = b.has(r_) ? "the radius CR=" : "an end point and a centre (alarm 14900)";
+      b.report(ig::diag("SIE-0227"), where, others);
+      return;
+    }
     const Point2 start{from[plane.first], from[plane.second]};
     const double turn = (is_ccw ? 1 : -1) * degrees * radians_per_degree;
     const auto i = b.get(centre_[plane.first]), j = b.get(centre_[plane.second]);
