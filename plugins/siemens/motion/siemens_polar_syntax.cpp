@@ -24,6 +24,7 @@ struct SiemensPolar {
           .before("SiemensMachineCoordinatesSyntax", "SiemensPositionSyntax", "SiemensArcSyntax", "ProgramXyzSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0274", "{0} has a word that a pole does not take: the word is ignored"),
+      ig::diagnostic(IG_WARNING, "SIE-0294", "{0} has {1} without {2}, which is assumed to be 0: program both"),
       ig::diagnostic(IG_ERROR, "SIE-0278",
                      "the position is not computed, because the polar radius is {0}: program RP= of 0 or more"),
       ig::diagnostic(IG_ERROR, "SIE-0279",
@@ -67,6 +68,9 @@ struct SiemensPolar {
     const PlaneAxes plane = plane_(b);
     ig::Vec3 at = words.row == 0 ? last_(b) : words.row == 2 ? pole(b) : ig::Vec3{};
     at[plane.tool] = 0;
+    if (ap.has_value() != rp.has_value())
+      b.report(ig::diag("SIE-0294"), ig::Where::word(ap ? ap_.id() : rp_.id()), b.text(words.code),
+               std::string_view(ap ? "AP=" : "RP="), std::string_view(ap ? "RP=" : "AP="));
     if (ap || rp) {
       at[plane.first] += rp.value_or(0) * std::cos(ap.value_or(0) * radians_per_degree);
       at[plane.second] += rp.value_or(0) * std::sin(ap.value_or(0) * radians_per_degree);
