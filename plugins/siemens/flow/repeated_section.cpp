@@ -2,6 +2,9 @@
 // to the REPEAT.
 #include "flow/repeated_section.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace siemens {
 
 using namespace ig::cnc;
@@ -37,7 +40,9 @@ std::optional<Loop> RepeatedSections::section_of(ig::Block& b, const FlowStateme
     Expression e(b, environment_, text, skip_blanks(text, next + 1) + 1);
     const auto times = e.number();
     if (!times) return std::nullopt;
-    found.left = *times;
+    found.left = std::max(std::floor(*times), 0.0);
+    if (!(found.left >= 1) || found.left != *times)
+      environment_.report_once(b, ig::diag("SIE-0309"), columns(text, next), next, *times, found.left);
     next = e.position();
   }
   if (first.empty()) {

@@ -32,6 +32,8 @@ struct SiemensFlow {
       ig::diagnostic(IG_WARNING, "SIE-0146",
                      "this end may not belong to the {0} of line {1}: leave a loop only through its end"),
       ig::diagnostic(IG_ERROR, "SIE-0147", "the section is not repeated, because its label {0} is not found: {1}"),
+      ig::diagnostic(IG_WARNING, "SIE-0309",
+                     "P={0} is not a whole number from 1: the section is repeated this often: {1}"),
       ig::diagnostic(IG_ERROR, "SIE-0306", "{0} is not executed: RET takes one label or block number, given as a text"),
   };
 
@@ -195,6 +197,7 @@ struct SiemensFlow {
     environment_.note_given_back(b);
     const std::vector<PatternCall>& patterns = environment_.store().patterns;
     const std::uint64_t tag = environment_.flow.frame(b).tag;
+    environment_.report_values_beyond(b, ig::Where::block(), environment_.store().take_unread(tag), 0);
     const bool is_of_pattern = !patterns.empty() && tag != 0 && patterns.back().tag == tag && patterns.back().is_open();
     environment_.flow.leave(b, is_of_pattern ? std::string_view(patterns.back().label) : std::string_view());
   }

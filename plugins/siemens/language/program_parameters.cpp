@@ -13,14 +13,16 @@ using namespace ig::cnc;
 bool ProgramParameters::define(ig::Block& b, std::string_view text, std::size_t open) const {
   const ig_frame frame = environment_.flow.frame(b);
   const std::vector<Argument>& passed = environment_.store().passed(frame.tag);
-  if (at(text, open) != '(') return true;
-  std::size_t index = 0, next = skip_blanks(text, open + 1);
+  const bool has_bracket = at(text, open) == '(';
+  std::size_t index = 0, next = has_bracket ? skip_blanks(text, open + 1) : text.size();
   while (next < text.size() && text[next] != ')') {
     if (!parameter(b, text, next, index < passed.size() ? passed[index] : Argument{}, frame.depth > 0)) return false;
     ++index;
     next = skip_blanks(text, next);
     if (at(text, next) == ',') next = skip_blanks(text, next + 1);
   }
+  environment_.report_values_beyond(b, columns(text, std::min(open, text.size() - 1)),
+                                    VariableStore::given_values(passed), index);
   return true;
 }
 

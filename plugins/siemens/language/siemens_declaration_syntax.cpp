@@ -29,6 +29,7 @@ struct SiemensDeclaration {
                      "{0} gets no value from a call, so 0 is assumed: give it in a table of variables"),
       ig::diagnostic(IG_ERROR, "SIE-0301",
                      "{0}{1} is not a size of an array, so the array is not defined: use whole numbers from 1"),
+      ig::diagnostic(IG_ERROR, "SIE-0310", "'{0}' behind EXTERN is not executed: write EXTERN in a block of its own"),
       ig::diagnostic(IG_ERROR, "SIE-0302",
                      "{0} is defined already, so this second definition is ignored: use another name"),
   };
@@ -65,6 +66,7 @@ struct SiemensDeclaration {
     if (word_ == Word::def) define(b, text, behind_);
     if (word_ == Word::define) define_macro(b, text);
     if (word_ == Word::proc) begin_program(b, text);
+    if (word_ == Word::external) announce(b, text);
     if (word_ == Word::other) b.report(ig::diag("SIE-0161"), columns(text, begin_), text.substr(begin_));
     return ig::Status::changed;
   }
@@ -78,6 +80,14 @@ struct SiemensDeclaration {
     if (equals_ignoring_case(name, "DEFINE")) return Word::define;
     if (equals_ignoring_case(name, "REDEF")) return Word::other;
     return Word::none;
+  }
+
+  // ---- EXTERN NAME(REAL, INT), which changes nothing here
+
+  void announce(ig::Block& b, std::string_view text) const {
+    std::size_t next = skip_blanks(text, skip_name(text, skip_blanks(text, behind_)));
+    if (at(text, next) == '(') next = skip_blanks(text, skip_call(text, next));
+    if (next < text.size()) b.report(ig::diag("SIE-0310"), columns(text, next), text.substr(next));
   }
 
   // ---- DEFINE NAME AS TEXT

@@ -72,6 +72,14 @@ class Environment {
       b.report(diagnostic, where, std::string_view(base));
   }
 
+  /// SIE-0308, in the called program: its call gives more values than it has parameters. Once for each calling line.
+  void report_values_beyond(ig::Block& b, const ig::Where& where, std::size_t values, std::size_t parameters) const {
+    const ig_frame f = flow.frame(b);
+    if (f.depth > 0 && values > parameters)
+      report_once(b, ig::diag("SIE-0308"), where, f.call_line, static_cast<double>(f.call_line), ig::to_view(f.program),
+                  static_cast<double>(values), static_cast<double>(parameters));
+  }
+
   /// Call it before variables are read or written in a block.
   void enter(ig::Block& b) const {
     if (!b.is_in_turn()) return;

@@ -122,6 +122,7 @@ void VariableStore::restart() {
   scopes_.assign(1, {});
   user_data_ = user_data_at_start_;
   passed_.clear();
+  unread_.clear();
   said_.clear();
   macros_.clear();
   given_for_run_.clear();

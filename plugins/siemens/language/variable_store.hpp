@@ -2,12 +2,14 @@
 /// owns one store; the syntaxes of this plugin reach it through its service.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <isogloss/provenance.hpp>
@@ -140,14 +142,33 @@ class VariableStore {
   void refer(const std::string& inner, const std::string& outer) { scopes_.back().references[inner] = outer; }
 
   std::uint64_t pass(std::vector<Argument> arguments) {
-    passed_ = std::move(arguments);
-    return ++tag_;
+    ++tag_;
+    pass_again(std::move(arguments));
+    return tag_;
   }
   /// Other arguments for the call that pass() has answered last.
-  void pass_again(std::vector<Argument> arguments) { passed_ = std::move(arguments); }
+  void pass_again(std::vector<Argument> arguments) {
+    passed_ = std::move(arguments);
+    if (const std::size_t count = given_values(passed_); count > 0) note_unread(count);
+  }
+  /// How many parameters a program needs for all values that a call gives.
+  static std::size_t given_values(const std::vector<Argument>& arguments) {
+    std::size_t count = arguments.size();
+    while (count > 0 && !arguments[count - 1].value) --count;
+    return count;
+  }
+  /// How many values the call with this tag gives to a program that has no PROC; 0 at each further question.
+  std::size_t take_unread(std::uint64_t tag) {
+    const auto it = std::find_if(unread_.begin(), unread_.end(), [&](const auto& call) { return call.first == tag; });
+    if (it == unread_.end()) return 0;
+    const std::size_t count = it->second;
+    unread_.erase(it);
+    return count;
+  }
   /// The arguments of the present program's call, for the first statement that asks.
   const std::vector<Argument>& passed(std::uint64_t tag) {
     if (tag != 0 && tag == tag_) scopes_.back().arguments = passed_;
+    take_unread(tag);
     return scopes_.back().arguments;
   }
 
@@ -174,6 +195,10 @@ class VariableStore {
   using Variables = std::unordered_map<std::string, Variable>;
 
   void enter_other(std::uint64_t frame);
+  void note_unread(std::size_t count) {
+    if (unread_.size() >= most_unread) unread_.erase(unread_.begin());  // of a program that was not found
+    unread_.emplace_back(tag_, count);
+  }
   /// Gives the value to an R parameter, a variable or an element of the present program, where it has such a one.
   void give_back(const std::string& name, const Value& value);
   static Variable* find_in(Variables& variables, const std::string& name) {
@@ -196,6 +221,8 @@ class VariableStore {
   std::vector<Scope> scopes_{1};
   std::vector<Argument> passed_;
   std::uint64_t tag_ = 0;
+  static constexpr std::size_t most_unread = 64;
+  std::vector<std::pair<std::uint64_t, std::size_t>> unread_;  // calls: tag, number of values that no PROC has read
   std::unordered_map<std::string, bool> said_;
   std::unordered_map<std::string, std::string> macros_;
 };

@@ -1,0 +1,29 @@
+; a call that gives more values than PROC has parameters, and repetitions that are none
+G0 X0 Y0 Z0
+R1=7
+ONE(1,2,3)
+ONE(2,)
+ONE(,R1) P2
+NONE(4)
+NONE()
+WITHOUT(5,6) P2
+WITHOUT
+L1: G0 Z=IC(1)
+REPEAT L1 P=0
+REPEAT L1 P=-1
+REPEAT L1 P=1.5
+REPEATB L1 P=R1-6
+M30
+%_N_ONE_SPF
+PROC ONE(REAL A=3)
+G0 X=A
+NONE
+M17
+%_N_NONE_SPF
+PROC NONE
+G0 Y=IC(1)
+M17
+%_N_WITHOUT_SPF
+G0 Y=IC(10)
+ONE(5)
+M17
