@@ -28,6 +28,7 @@ class CycleText {
                          Note&& note) const {
     std::size_t done = position;
     bool is_reported = false;
+    std::vector<std::uint32_t> named;
     for (std::size_t i = skip(text, position); i < text.size(); i = skip(text, i)) {
       std::size_t end = i;
       const auto q = Values::q_at(text, i, end);
@@ -53,6 +54,8 @@ class CycleText {
       }
       values_.set(b, *q, name, where, v.number);
       if (q->kind == QKind::q) {
+        if (std::find(named.begin(), named.end(), q->number) != named.end()) report_repeated(b, text, i, v.end);
+        named.push_back(q->number);
         if (!knows(cycle, q->number)) b.report(ig::diag("HEI-0179"), where, static_cast<double>(cycle), name);
         note(q->number, v.number);
       }

@@ -36,7 +36,7 @@ struct KlartextCycle {
                              {ig::Life::block, "", "CYCL CALL POS: the block goes to the point first."}};
   ig::Out<bool> modal_call_{"KlartextCycle.IsModal",
                             {ig::Life::modal, "", "M89: each positioning block calls the cycle."}};
-  ig::Xyz axes_{"Parsing", ig::write};
+  ig::Xyz axes_{"Parsing", ig::read | ig::write};
   ig::Codes motions_{{"G00", "G01"}, ig::write};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -152,7 +152,7 @@ struct KlartextCycle {
     const bool is_moving = is_positioned || pattern != i;
     i = std::max(position, pattern);
     while ((i = skip(text, i)) < text.size()) {
-      const std::size_t next = call_word(b, text, i, is_rapid);
+      const std::size_t next = call_word(b, text, i, is_positioned, is_rapid);
       if (next == i) {
         report_not_a_word(b, text, i, "CYCL CALL");
         break;
@@ -162,14 +162,15 @@ struct KlartextCycle {
     if (is_moving) put_code(b, motions_.id(is_rapid ? 0 : 1), begin, begin + 9);
   }
 
-  std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, bool& is_rapid) const {
+  std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, bool is_positioned, bool& is_rapid) const {
     const char c = to_upper(text[i]);
     if (c == 'M') return m_.scan(b, text_.values(), text, i);
     if (c == 'F') return text_.feed().scan(b, text_.values(), text, i, is_rapid);
     const std::size_t axis = std::string_view("XYZ").find(c);
-    if (axis > 2) return i;
+    if (axis > 2 || !is_positioned) return i;
     const Value v = text_.values().read(b, text, i + 1);
     if (!v.ok) return i;
+    if (b.has(axes_.id(axis))) report_repeated(b, text, i, v.end);
     put_word(b, axes_.id(axis), i, v.end, v.number);
     return v.end;
   }

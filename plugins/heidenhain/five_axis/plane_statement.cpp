@@ -53,6 +53,7 @@ void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t
     const std::size_t axis = std::string_view("ABC").find(to_upper(text[i]));
     const Value v = axis < 3 ? values_.read(b, text, i + 1) : Value{};
     if (axis < 3 && v.ok) {
+      if (command.plane.words[axis]) report_repeated(b, text, i, v.end);
       command.plane.words[axis] = v.number;
       any = true;
       i = v.end;
@@ -126,6 +127,7 @@ std::size_t PlaneStatement::angle_or_point(ig::Block& b, std::string_view text, 
   const auto read = [&](std::string_view name, std::size_t word) {
     const std::size_t value = behind_plane_keyword(text, position, name);
     const Value v = value != position ? values_.read(b, text, value) : Value{};
+    if (v.ok && plane.words[word]) report_repeated(b, text, position, v.end);
     if (v.ok) plane.words[word] = v.number;
     return v.ok ? v.end : position;
   };
@@ -142,6 +144,7 @@ std::size_t PlaneStatement::word_at(ig::Block& b, std::string_view text, std::si
   const std::size_t letters = letters_end(text, i);
   const auto is = [&](std::string_view name) { return equals_ignoring_case(piece(text, i, letters), name); };
   const auto set = [&](Move move) {
+    if (command.move != Move::none) report_repeated(b, text, i, letters);
     command.move = move;
     return letters;
   };
@@ -151,6 +154,7 @@ std::size_t PlaneStatement::word_at(ig::Block& b, std::string_view text, std::si
   if (is("SEQ") || is("SYM")) {
     const std::size_t sign = skip_blanks(text, letters);
     if (at(text, sign) != '+' && at(text, sign) != '-') return i;
+    if (command.sequence != 0) report_repeated(b, text, i, sign + 1);
     command.sequence = at(text, sign) == '+' ? 1 : -1;
     return sign + 1;
   }

@@ -145,6 +145,7 @@ struct KlartextLabel {
       const Value times = values_.read(b, text, skip(text, behind_rep));
       if (times.ok) {
         report_rest(b, text, behind_count_left(text, times.end), "CALL LBL");
+        if (!(times.number >= 1)) report_no_repeat(b, text, rep, times.end);
         return repeat(b, name, where, times.number);
       }
       if (skip(text, behind_rep) < text.size()) report_rest(b, text, behind_rep, "CALL LBL");
@@ -153,6 +154,13 @@ struct KlartextLabel {
     const ig::Flow::Answer answer =
         values_.flow().call(b, {.program = name, .scope = IG_IN_PROGRAM, .tag = called_label});
     if (answer.is_not_found()) b.report(ig::diag("HEI-0120"), where, std::string_view(name).substr(1), answer.reason);
+  }
+
+  void report_no_repeat(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) const {
+    QStore* const store = values_.store();
+    if (store == nullptr || store->is_first_time(values_.flow().here(b).offset, "REP"))
+      b.report(ig::diag("HEI-0105"), ig::Where::columns(begin, end), trim(piece(text, begin, end)),
+               std::string_view("CALL LBL"));
   }
 
   /// A number, a name in quotes, or the value of a Q parameter.

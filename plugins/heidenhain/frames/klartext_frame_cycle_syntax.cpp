@@ -164,6 +164,7 @@ struct KlartextFrameCycle {
 
   /// CYCL DEF 7.1 X+60, IX+5, #5
   void datum(ig::Block& b, std::string_view text, std::size_t i) const {
+    unsigned named = 0;
     while ((i = skip(text, i)) < text.size()) {
       const bool is_step = to_upper(text[i]) == 'I';
       const std::size_t letter = is_step ? i + 1 : i;
@@ -178,6 +179,11 @@ struct KlartextFrameCycle {
         return;
       }
       const std::size_t row = is_step ? 1 : 0;
+      if ((named >> axis & 1u) != 0) {
+        report_repeated(b, text, i, v.end);
+        b.erase(datum_.row(1 - row)[axis]);
+      }
+      named |= 1u << axis;
       put_code(b, datum_.code(row), i, v.end);
       put_word(b, datum_.row(row)[axis], i, v.end, v.number);
       i = v.end;

@@ -29,6 +29,10 @@ inline ig::Where where_of_line(std::string_view text, std::size_t begin) {
 inline void report_not_a_word(ig::Block& b, std::string_view text, std::size_t begin, std::string_view of) {
   b.report(ig::diag("HEI-0103"), where_of_line(text, begin), rest_of_line(text, begin), of);
 }
+/// HEI-0106: the text from `begin` to `end` repeats a word of the block.
+inline void report_repeated(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
+  b.report(ig::diag("HEI-0106"), ig::Where::columns(begin, end), trim(piece(text, begin, end)));
+}
 /// HEI-0105: the text from `begin` on has no meaning after the statement `of`.
 inline void report_without_meaning(ig::Block& b, std::string_view text, std::size_t begin, std::string_view of) {
   b.report(ig::diag("HEI-0105"), where_of_line(text, begin), rest_of_line(text, begin), of);

@@ -29,12 +29,9 @@ std::size_t ApproachWords::scan(ig::Block& b, const Values& values, std::string_
   const std::size_t end = letters_end(text, position);
   const std::string_view letters = piece(text, position, end);
   const auto is = [&](std::string_view name) { return equals_ignoring_case(letters, name); };
-  const auto report_repeated = [&](std::size_t behind) {
-    b.report(ig::diag("HEI-0106"), ig::Where::columns(position, behind), trim(piece(text, position, behind)));
-  };
   for (std::size_t k = 0; k < shape_names.size(); ++k)
     if (is(shape_names[k])) {
-      if (found.shape) report_repeated(end);
+      if (found.shape) report_repeated(b, text, position, end);
       found.shape = static_cast<Shape>(k % 4);
       return end;
     }
@@ -55,7 +52,7 @@ std::size_t ApproachWords::scan(ig::Block& b, const Values& values, std::string_
                std::string_view(of));
       return v.end;
     }
-    if (v.ok && measure.value) report_repeated(v.end);
+    if (v.ok && measure.value) report_repeated(b, text, position, v.end);
     if (v.ok)
       measure.value = v.number;
     else

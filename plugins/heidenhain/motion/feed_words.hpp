@@ -30,7 +30,9 @@ class FeedWords {
         kind.remove_suffix(1);
     if (is("MAX") || is("AUTO")) {
       end = static_cast<std::size_t>(kind.data() + kind.size() - text.data());
+      if (b.has(f_) || is_rapid) report_repeated(b, text, position, end);
       if (is("MAX")) {
+        b.erase(f_);
         is_rapid = true;
       } else if (const auto feed = b.get(tool_feed_)) {
         select_mode(b, b.is_raised(tool_feed_per_revolution_), position, end);
@@ -55,8 +57,8 @@ class FeedWords {
       return v.end;
     }
     select_mode(b, is_per_revolution, position, v.end);
-    if (b.has(f_))
-      b.report(ig::diag("HEI-0106"), ig::Where::columns(position, v.end), trim(piece(text, position, v.end)));
+    if (b.has(f_) || is_rapid) report_repeated(b, text, position, v.end);
+    is_rapid = false;
     put_word(b, f_.id(), position, v.end, is_per_revolution ? v.number : unit_.in_unit(b, v.number));
     return v.end;
   }

@@ -157,6 +157,8 @@ struct KlartextPath {
       return p < 2 ? put_polar(b, text, i, i + 3, polar_steps_[p], path, polar_[p]) : i;
     }
     if (const std::size_t axis = axis_of(c); axis < 6) return put(b, text, i, i + 1, axes_[axis], path, steps_[axis]);
+    if (path.function == CC && (c == 'F' || c == 'R'))
+      if (const std::size_t end = word_of_no_pole(b, text, i); end != i) return foreign(b, text, i, end, path);
     switch (c) {
       case 'P': {
         const std::size_t p = polar_of(d);
@@ -174,7 +176,7 @@ struct KlartextPath {
         if (d != 'R' || (s != '+' && s != '-')) return i;
         const bool turns = path.function == C || path.function == CR || path.function == CP;
         if (!turns) return foreign(b, text, i, sign + 1, path);
-        if (path.is_ccw) b.report(ig::diag("HEI-0106"), ig::Where::columns(i, sign + 1), piece(text, i, sign + 1));
+        if (path.is_ccw) report_repeated(b, text, i, sign + 1);
         path.is_ccw = s == '+';
         return sign + 1;
       }
@@ -228,8 +230,7 @@ struct KlartextPath {
       b.report(ig::diag("HEI-0104"), ig::Where::columns(begin, value), path.name(), piece(text, begin, value));
       return value;
     }
-    if (b.has(field) || b.has(other))
-      b.report(ig::diag("HEI-0106"), ig::Where::columns(begin, v.end), trim(piece(text, begin, v.end)));
+    if (b.has(field) || b.has(other)) report_repeated(b, text, begin, v.end);
     if (b.has(other)) b.erase(other);
     put_word(b, field, begin, v.end, v.number + 0.0);
     path.has_axis = true;
@@ -244,6 +245,14 @@ struct KlartextPath {
     if (is_polar || leads) return put(b, text, begin, value, field, path, other);
     const Value v = values_.read(b, text, value);
     return foreign(b, text, begin, v.ok ? v.end : value, path);
+  }
+
+  /// The end of F100, FMAX, RL, RR or R0 at `i`, which CC does not have; `i` where none of them is there.
+  std::size_t word_of_no_pole(ig::Block& b, std::string_view text, std::size_t i) const {
+    if (to_upper(text[i]) == 'R') return ContourSide::begins(text, i) || ContourSide::ends(text, i) ? i + 2 : i;
+    if (const Value v = values_.read(b, text, i + 1); v.ok) return v.end;
+    const std::size_t letters = letters_end(text, i);
+    return letters == i + 1 ? i : letters;
   }
 
   /// A word of other functions alone: the rest of the block is executed.

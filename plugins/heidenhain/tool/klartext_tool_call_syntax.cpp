@@ -130,9 +130,6 @@ struct KlartextToolCall {
     if (axis > 2) b.report(ig::diag("HEI-0151"), ig::Where::columns(i, i + 1), piece(text, i, i + 1));
     return i + 1;
   }
-  static void report_repeated(ig::Block& b, std::string_view text, std::size_t begin, std::size_t end) {
-    b.report(ig::diag("HEI-0106"), ig::Where::columns(begin, end), trim(piece(text, begin, end)));
-  }
   /// A final point does not belong to the number: DL0.
   Value read(ig::Block& b, std::string_view text, std::size_t i) const {
     return values_.read(b, text, skip_blanks(text, i));
