@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <isogloss/cnc/modal_group.hpp>
 #include <isogloss/sdk.hpp>
 
 namespace siemens {
@@ -32,8 +33,11 @@ class SettableFrames {
   std::optional<std::size_t> find(const ig::Block& b) const {
     return some(b.find_code(ids_.data(), static_cast<std::uint32_t>(ids_.size())));
   }
-  std::optional<std::size_t> take(ig::Block& b) const {
-    return some(b.take_code(ids_.data(), static_cast<std::uint32_t>(ids_.size())));
+  /// Takes the codes of the block, of which the last one counts; several are reported.
+  void take(ig::Block& b) const {
+    std::uint32_t found = 0;
+    const auto last = some(b.take_code(ids_.data(), static_cast<std::uint32_t>(ids_.size()), &found));
+    if (last && found > 1) b.report(ig::diag("ISO-0201"), ig::Where::word(ids_[*last]), b.text(names_[*last]));
   }
   ig::Symbol name(std::size_t i) const { return names_[i]; }
   ig_field id(std::size_t i) const { return ids_[i]; }

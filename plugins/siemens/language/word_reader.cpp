@@ -65,8 +65,17 @@ void WordReader::add(ig::Block& b, Run& run, ig_field field, std::size_t begin, 
   if (again || (begin > 0 && b.get(field, before))) {
     give(b, run);
     b.report(ig::diag("SIE-0122"), columns(begin, end), name);
+    erase_mode(b, name);
   }
   run.words[run.count++] = {field, column(begin), column(end), {.number = value + 0.0}, 0, 0};
+}
+
+void WordReader::erase_mode(ig::Block& b, std::string_view name) const {
+  const std::size_t word = AxisModes::index_of(environment_.axes.letter_of(name));
+  if (const auto further = further_axis(name))
+    b.erase(further_axes_.mode(*further));
+  else if (word < AxisModes::words.size())
+    modes_.erase(b, word);
 }
 
 std::size_t WordReader::plain_word(ig::Block& b, std::string_view text, std::size_t begin, Run& run) const {

@@ -101,6 +101,8 @@ class WordReader {
                         const std::string& name, Run& run);
   /// AC IC DC ACP ACN before a bracket; at_bracket_ is where the bracket opens.
   ig::Symbol take_mode(ig::Block& b, std::string_view text, std::size_t position);
+  /// AC, IC and the like of the same word before, which the last one replaces.
+  void erase_mode(ig::Block& b, std::string_view name) const;
   void set_mode(ig::Block& b, std::size_t word, ig::Symbol mode) const {
     if (!defines_curve()) modes_.set(b, word, mode);
   }

@@ -35,7 +35,7 @@ std::size_t WordReader::valued(ig::Block& b, std::string_view text, std::size_t 
   if (!value) return line_end_of_fault(text, end);
   if (name[0] == 'G' || name[0] == 'M' || name[0] == 'S' || name[0] == 'H')
     if (name.size() == 1 || has_number) return extended(b, text, begin, end, name, *value, run);
-  const ig_field field = fields_.address(name);
+  word(b, run, called, fields_.address(name), begin, end, *value);
   if (mode != ig::Symbol{}) {
     const std::size_t word_index = AxisModes::index_of(name);
     if (const auto further = further_axis(name); further && !defines_curve())
@@ -45,7 +45,6 @@ std::size_t WordReader::valued(ig::Block& b, std::string_view text, std::size_t 
     else if (!(name == "SPOS" || name == "SPOSA") || b.text(mode) == "IC")  // an angle, whichever way it is reached
       b.report(ig::diag("SIE-0128"), columns(begin, end), std::string_view(name), b.text(mode));
   }
-  word(b, run, called, field, begin, end, *value);
   return end;
 }
 
@@ -53,11 +52,11 @@ std::size_t WordReader::valued_as(ig::Block& b, std::string_view text, std::size
                                   const std::string& name, Run& run) {
   const Assigned a = assigned(b, text, equals);
   if (!a.value) return a.end;
+  word(b, run, name, fields_.address(name), begin, a.end, *a.value);
   if (const auto further = further_axis(name); further && a.mode != ig::Symbol{} && !defines_curve())
     b.set(further_axes_.mode(*further), a.mode);
   else if (a.mode != ig::Symbol{} && AxisModes::index_of(name) < AxisModes::words.size())
     set_mode(b, AxisModes::index_of(name), a.mode);
-  word(b, run, name, fields_.address(name), begin, a.end, *a.value);
   return a.end;
 }
 

@@ -26,6 +26,7 @@ class AxisModes {
   }
   std::optional<ig::Symbol> get(const ig::Block& b, std::size_t word) const { return b.get(fields_[word]); }
   void set(ig::Block& b, std::size_t word, ig::Symbol mode) const { b.set(fields_[word], mode); }
+  void erase(ig::Block& b, std::size_t word) const { b.erase(fields_[word]); }
 
  private:
   std::vector<ig::Field<ig::Symbol>> fields_;

@@ -1,5 +1,7 @@
 /// DIAMON and DIAM90: X of a turned part is a diameter. The word is converted to the radius before any other syntax
 /// reads it, so that all positions of the run are distances from the axis.
+#include <isogloss/cnc/modal_group.hpp>
+
 #include "modes/axis_modes.hpp"
 
 namespace siemens {
@@ -22,7 +24,7 @@ struct SiemensDiameter {
   ig::Name diamon_{"DIAMON"}, g91_{"G91"}, ac_{"AC"}, ic_{"IC"};
 
   ig::Status build(ig::Block& b) {
-    const auto code = b.take(codes_);
+    const auto code = take_modal(b, codes_);
     if (code && *code == off)
       b.erase(term_);
     else if (code)

@@ -1,6 +1,7 @@
 /// G70, G71, G700 and G710: inch or metric input. G70 applies to positions only, F remains in mm/min; under G700 F is
 /// in inch/min. It is the first syntax of the logic and converts the programmed values into mm, so that no later syntax
 /// has to know of inches.
+#include <isogloss/cnc/modal_group.hpp>
 #include <isogloss/cnc/units.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -28,7 +29,7 @@ struct SiemensUnit {
   ig::Name inch_{"Inch"}, metric_{"Metric"}, g93_{"G93"}, g700_{"G700"};
 
   ig::Status build(ig::Block& b) {
-    const auto mode = b.take(modes_);
+    const auto mode = take_modal(b, modes_);
     if (mode) {
       b.set(term_, modes_.name(*mode));
       b.set(system_, *mode % 2 == 0 ? inch_ : metric_);

@@ -15,6 +15,7 @@ struct SiemensDwell {
                      "G4 has neither F nor S, so the block does not wait: program the seconds or the turns"),
       ig::diagnostic(IG_ERROR, "SIE-0202",
                      "G4 has a negative time, so the block does not wait: program F or S of 0 or more"),
+      ig::diagnostic(IG_WARNING, "SIE-0204", "G4 has F and S: F is used, and S is ignored; remove one of them"),
       ig::diagnostic(
           IG_ERROR, "SIE-0203",
           "G4 S needs the spindle speed, which is not known, so the dwell takes no time: program S before it"),
@@ -35,6 +36,7 @@ struct SiemensDwell {
     } else if (seconds.value_or(0) < 0 || turns.value_or(0) < 0) {
       b.report(ig::diag("SIE-0202"), where);
     } else if (seconds) {
+      if (turns) b.report(ig::diag("SIE-0204"), where);
       b.set(time_, *seconds);
     } else if (rpm > 0) {
       b.set(time_, *turns * 60 / rpm);
