@@ -61,7 +61,8 @@ MFunctions::MFunctions() {
 std::size_t MFunctions::scan(ig::Block& b, const Values& values, std::string_view text, std::size_t position) const {
   const std::size_t digits = skip_blanks(text, position + 1);
   const Value v = values.read(b, text, digits);
-  if (!v.ok) return position + 1;  // M alone: the prompt was not answered
+  // M alone is a prompt that was not answered; MB 5 is not.
+  if (!v.ok) return is_letter(at(text, position + 1)) ? position : position + 1;
   const std::size_t end = at(text, v.end) == '.' ? v.end + 1 : v.end;
   const double rounded = std::round(v.number);
   if (values.is_indexing()) return end;

@@ -1,5 +1,7 @@
 // TOOL CALL: the tool, its axis, its speed and feed, its length and the allowance DL. TOOL DEF names a tool that the
 // magazine may fetch, or writes its length and radius into the tool table.
+#include <utility>
+
 #include <isogloss/cnc/tool_dimension.hpp>
 
 #include "language/block_words.hpp"
@@ -161,7 +163,9 @@ struct KlartextToolCall {
   void read_definition(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i) const {
     i = skip(text, i);
     const CalledTool tool = tools_.read(b, values_, text, i);
+    if (!tool.is_given) b.report(ig::diag("HEI-0119"), where_of_line(text, begin), std::string_view("the tool"));
     if (!tool.is_known) return;
+    std::array<bool, 2> named{};
     const std::size_t words = skip(text, i);
     if (words >= text.size()) return put_word(b, t_.id(), begin, i, tool.number);
     for (i = words; i < text.size(); i = skip(text, i)) {
@@ -181,6 +185,7 @@ struct KlartextToolCall {
         report_not_executed(b, text, begin, "the table of tools has no such tool");
         return;
       }
+      if (v.ok && std::exchange(named[c == 'L' ? 0 : 1], true)) report_repeated(b, text, i, end);
       i = end;
     }
   }
