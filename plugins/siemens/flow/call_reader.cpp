@@ -121,6 +121,7 @@ ig::Status CallReader::build(ig::Block& b) {
   const auto where = ig::Where::columns(begin_, std::max(end_, begin_));
   if (!is_of_control_) b.set(term_, b.symbol(program_.name));
   if (b.find(modal_)) {
+    if (repeats_ != 1) b.report(ig::diag("SIE-0311"), where, repeats_, std::string_view(program_.name));
     environment_.store().modal = {program_, std::move(arguments_), environment_.flow.frame(b).id};
     b.raise(modal_call_);
     return ig::Status::changed;

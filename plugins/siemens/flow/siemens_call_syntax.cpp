@@ -32,6 +32,8 @@ struct SiemensCall {
       ig::diagnostic(IG_ERROR, "SIE-0181", "{0} is not executed: its moves are missing from the path"),
       ig::diagnostic(IG_ERROR, "SIE-0182",
                      "{0} is not executed, because a parameter has no value: see the diagnostic before this one"),
+      ig::diagnostic(IG_WARNING, "SIE-0311",
+                     "P={0} is ignored: MCALL calls {1} once after each block that moves"),
       ig::diagnostic(IG_ERROR, "SIE-0370",
                      "the folder '{0}' is not added to the search path: CALLPATH has already added {1}"),
       ig::diagnostic(IG_WARNING, "SIE-0184",
