@@ -62,6 +62,19 @@ struct KlartextPattern {
   using Words = std::array<std::optional<double>, name_count>;
   using Points = std::vector<PatternPoint>;
 
+  /// Whether a pattern of this kind has the word.
+  static bool takes(Kind kind, std::size_t name) {
+    if (name <= Z) return true;
+    switch (kind) {
+      case pos: return false;
+      case row: return name == D || name == NUM || name == ROT;
+      case pat:
+      case frame: return name != D && name != NUM && name < START;
+      case circ: return name == D || name == NUM || name == START;
+      default: return name == D || name == NUM || name >= START;
+    }
+  }
+
   /// SEL PATTERN "TNC:\HOLES.PNT"
   void select(ig::Block& b, std::string_view text, std::size_t begin, std::size_t i, Points& points) const {
     const auto name = file_name_at(b, values_, text, skip(text, i));
@@ -109,14 +122,14 @@ struct KlartextPattern {
       any = true;
       i = open + 1;
       bool is_complete = true;
-      if (!words_at(b, text, i, words, is_complete)) return;
+      if (!words_at(b, text, i, static_cast<Kind>(kind), words, is_complete)) return;
       if (is_complete) add(b, static_cast<Kind>(kind), words, shown, where, points);
     }
     if (!any) report_not_executed(b, text, begin, "it holds no point");
   }
 
   /// Reads up to the closing bracket; false, with a diagnostic, where other text is there.
-  bool words_at(ig::Block& b, std::string_view text, std::size_t& i, Words& words, bool& is_complete) const {
+  bool words_at(ig::Block& b, std::string_view text, std::size_t& i, Kind kind, Words& words, bool& is_complete) const {
     while ((i = skip(text, i)) < text.size() && text[i] != ')') {
       std::size_t end = letters_end(text, i);
       if (end > i + 1 && to_upper(text[end - 1]) == 'Q') --end;
@@ -127,10 +140,13 @@ struct KlartextPattern {
         return false;
       }
       const Value v = values_.read(b, text, end);
-      if (v.ok)
+      if (v.ok && words[name]) report_repeated(b, text, i, v.end);
+      if (!v.ok)
+        b.report(ig::diag("HEI-0104"), ig::Where::columns(i, end), std::string_view("PATTERN DEF"), names[name]);
+      else if (takes(kind, name))
         words[name] = v.number;
       else
-        b.report(ig::diag("HEI-0104"), ig::Where::columns(i, end), std::string_view("PATTERN DEF"), names[name]);
+        b.report(ig::diag("HEI-0103"), ig::Where::columns(i, v.end), trim(piece(text, i, v.end)), kinds[kind]);
       is_complete = is_complete && v.ok;
       i = v.ok ? v.end : skip_while(text, end, [](char c) { return c == '+' || c == '-'; });
     }
@@ -173,6 +189,7 @@ struct KlartextPattern {
       case pos: return put({u, v});
       case circ:
       case pitch_circle: {
+        if (w[STEP] && w[END]) b.report(ig::diag("HEI-0105"), where, names[END], std::string_view("STEP of PITCHCIRC"));
         const bool to_end = kind == pitch_circle && !w[STEP] && w[END];
         if (kind == pitch_circle && !w[STEP] && !w[END])
           return b.report(ig::diag("HEI-0104"), where, shown, std::string_view("STEP"));
