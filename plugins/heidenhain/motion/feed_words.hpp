@@ -30,9 +30,10 @@ class FeedWords {
         kind.remove_suffix(1);
     if (is("MAX") || is("AUTO")) {
       end = static_cast<std::size_t>(kind.data() + kind.size() - text.data());
-      if (b.has(f_) || is_rapid) report_repeated(b, text, position, end);
+      const bool has_number = b.has(f_);
+      if (has_number || is_rapid) report_repeated(b, text, position, end);
       if (is("MAX")) {
-        b.erase(f_);
+        if (has_number) b.erase(f_);
         is_rapid = true;
       } else if (const auto feed = b.get(tool_feed_)) {
         select_mode(b, b.is_raised(tool_feed_per_revolution_), position, end);

@@ -39,6 +39,7 @@ struct SiemensToolOffset {
   ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
   ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
   ig::Out<std::int64_t> radius_id_{"RadiusCompensation.OffsetId"};
+  ig::Signal radius_changed_{"ToolHeightCompensation.~TableChanged", ig::write};  // under G41 and G42 it is read again
   ig::Xyz orientation_{"ToolOrientation", ig::read | ig::wake};
   ig::Transform tilt_{"TiltTransform", ig::read | ig::wake};
   ig::Transform frame_{"ToolHeightCompensation"};
@@ -83,7 +84,7 @@ struct SiemensToolOffset {
     const auto tool = b.get(spindle_tool_);
     b.set(edge_, edge);
     if (edge == 0) {
-      b.set(radius_id_, std::int64_t{0});
+      set_radius(b, 0);
       if (mode_.is_on(b)) return b.set(h_, 0.0);
       b.set(term_, d0_);
       b.set(offset_id_, std::int64_t{0});
@@ -97,12 +98,17 @@ struct SiemensToolOffset {
       b.report(ig::diag("SIE-0233"), where, static_cast<double>(*tool), static_cast<double>(edge),
                edge == 1 ? std::to_string(row) : std::to_string(*tool) + "." + std::to_string(edge));
     const double length = known.value_or(0);
-    b.set(radius_id_, row);
+    set_radius(b, row);
     if (mode_.is_on(b)) return b.set(h_, static_cast<double>(known ? row : 0));
     b.set(term_, b.symbol("D" + std::to_string(edge)));
     b.set(offset_id_, row);
     b.set(offset_, length);
     apply(b, length);
+  }
+
+  void set_radius(ig::Block& b, std::int64_t row) const {
+    if (b.get_or(radius_id_, std::int64_t{-1}) != row) b.raise(radius_changed_);
+    b.set(radius_id_, row);
   }
 
   void apply(ig::Block& b, double length) const {
