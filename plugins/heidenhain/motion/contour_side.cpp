@@ -13,6 +13,11 @@ const ig::Diagnostics contour_side_diagnostics{
         "Manuals do not say what a control does with RL and RR at TOOL CALL. Here the side stays in force, and "
         "the moves after it have the distance of the new radius.",
         "5 TOOL CALL 6 Z S3000 (after L X+10 RL)"),
+    ig::diagnostic(IG_WARNING, "HEI-0393",
+                   "no TOOL CALL comes before {0}, so a tool radius of 0 is assumed: program TOOL CALL first",
+                   "The tool that the program finds in the spindle is not known here. A program that others call may "
+                   "be run by itself.",
+                   "5 L X+10 RL (without TOOL CALL)"),
 };
 
 /// The second letter of an R word ends it.
@@ -61,6 +66,8 @@ void ContourSide::change_tool(ig::Block& b, std::int64_t row, bool is_other_delt
 
 void ContourSide::set(ig::Block& b, Side side, std::size_t begin, std::size_t end) const {
   const std::int64_t tool = b.get_or(tool_, std::int64_t{0});
+  if (!b.has(tool_))
+    b.report(ig::diag("HEI-0393"), ig::Where::columns(begin, end), std::string_view(side == left ? "RL" : "RR"));
   if (b.is(term_, side == left ? g41_ : g42_) && b.get_or(offset_in_force_, std::int64_t{0}) == tool) return;
   const ig_word words[] = {
       {codes_.id(side), column(begin), column(end), ig_value{}, 0, 0},
