@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <isogloss/cnc/tool_dimension.hpp>
+#include <isogloss/cnc/tool_kinematics.hpp>
 
 #include "language/block_words.hpp"
 #include "language/program_unit.hpp"
@@ -25,6 +26,8 @@ struct KlartextToolCall {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "HEI-0151",
                      "tool axis {0} is not supported, so the plane stays the same: program X, Y or Z"),
+      ig::diagnostic(IG_WARNING, "HEI-0394",
+                     "M128 or FUNCTION TCPM stays in force at TOOL CALL: manuals demand M129 before it"),
       ig::diagnostic(IG_ERROR, "HEI-0153", "tool axis {0}: the tool length is compensated along Z, not along {0}"),
   };
 
@@ -36,7 +39,8 @@ struct KlartextToolCall {
   ig::Field<double> s_{"Parsing.S", ig::read | ig::write};
   ig::Codes change_{{"M06"}, ig::write};
   ig::Codes planes_{{"G17", "G18", "G19"}, ig::write};
-  ig::Call length_{{"G43"}, "H[]", ig::write};
+  ig::Call length_{{"G43"}, "H[]", ig::write}, tip_{{"G43.4"}, "H[]", ig::write};
+  ToolCenterMode tip_mode_;
   ig::Out<double> delta_{"ToolHeightCompensation.Delta_mm",
                          {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
   ig::Signal delta_changed_{"ToolHeightCompensation.~TableChanged", ig::write};
@@ -100,9 +104,17 @@ struct KlartextToolCall {
     if (!tool.is_known) return;
     put_word(b, t_.id(), begin, begin + 9, tool.number);
     put_code(b, change_.id(0), begin, begin + 9);
-    put_code(b, length_.code(0), begin, begin + 9);
-    put_word(b, length_.word(0, 'H'), begin, begin + 9, row);
+    put_length(b, row, begin, begin + 9);
     note_parameters(b, row, radius);
+  }
+
+  /// Under M128 and FUNCTION TCPM the tip of the new tool is led.
+  void put_length(ig::Block& b, double row, std::size_t begin, std::size_t end) const {
+    const bool leads_tip = tip_mode_.is_on(b);
+    if (leads_tip) b.report(ig::diag("HEI-0394"), ig::Where::columns(begin, end));
+    const ig::Call& call = leads_tip ? tip_ : length_;
+    put_code(b, call.code(0), begin, end);
+    put_word(b, call.word(0, 'H'), begin, end, row);
   }
 
   std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, Deltas& deltas, bool& is_rapid) const {
