@@ -234,6 +234,39 @@ class Batch(unittest.TestCase):
         (programs / "O7000").write_text("O7000\nG0 X30.\nM99\n")
         self.batch(*named, dialect=())
         self.assertEqual(self.results()["a.nc"]["Status"], "ok")
+        self.assertEqual(len(self.journal()), 2)
+        (programs / "O7000").write_text("O7000\nG0 X31.\nM99\n")
+        self.batch(*named, dialect=())
+        self.assertEqual(len(self.journal()), 3)
+        (programs / "O7000").unlink()
+        self.batch(*named, dialect=(), status=1)
+        self.batch("--changed-since", "out", *named, out="later", dialect=(), status=1)
+        (programs / "O7000").write_text("O7000\nG0 X30.\nM99\n")
+        self.batch("--changed-since", "out", *named, out="later", dialect=())
+        self.assertEqual(self.results("later")["a.nc"]["Status"], "ok")
+
+    def test_folders_below_those_of_a_machine_are_places_too(self):
+        """Siemens searches CUS.DIR before CMA.DIR, below the folders of the machine."""
+        self.write("a.mpf", "G71 G90\nG0 X1\nL7000\nM30\n")
+        programs = self.path / "shop" / "programs"
+        (programs / "CMA.DIR").mkdir(parents=True)
+        (programs / "CMA.DIR" / "OTHER.SPF").write_text("M17\n")
+        (self.path / "shop" / "machine.xml").write_text(
+            '<Machine xmlns="urn:isogloss:dialect:1" name="shop" title="Shop" dialect="siemens"><Programs src="programs"/></Machine>')
+        named = ("--machines", ".", "-m", "shop")
+        self.batch(*named, dialect=(), status=1)
+        (programs / "CMA.DIR" / "L7000.SPF").write_text("G0 X30\nM17\n")
+        self.batch(*named, dialect=())
+        self.assertEqual(self.results()["a.mpf"]["RapidLength_mm"], 30)
+        (programs / "CUS.DIR").mkdir()
+        (programs / "CUS.DIR" / "L7000.SPF").write_text("G0 X50\nM17\n")
+        self.batch(*named, dialect=())
+        self.assertEqual(self.results()["a.mpf"]["RapidLength_mm"], 50)
+        (programs / "CUS.DIR" / "L7000.SPF").unlink()
+        self.batch(*named, dialect=())
+        self.assertEqual(self.results()["a.mpf"]["RapidLength_mm"], 30)
+        self.batch(*named, dialect=())
+        self.assertEqual(len(self.journal()), 4)
 
     def test_tables_of_a_machine_and_what_they_include_count(self):
         self.write("a.nc", GOOD)

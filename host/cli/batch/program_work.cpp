@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
+#include <set>
 
 #include "batch/journal.hpp"
 #include "crash_guard.hpp"
@@ -86,14 +86,15 @@ int do_work(const BatchArguments& arguments) {
   session.report_to([&](std::string_view lines) { first.hear(lines); });
   watch_calls(request.program.watchdog);
   std::optional<RunOptions> options = request.program.make(session);
-  std::vector<std::string> called, places;
+  std::vector<std::string> called;
+  std::set<std::string> places;
   bool looks_inside = false;
   int status = cannot_start;
   Json summary;
   if (options) {
     options->called = [&](std::string_view, const std::string& file) { called.push_back(text_of_name(file)); };
     options->searched = [&](const std::vector<std::string>& in, bool inside_files) {
-      if (places.empty()) std::transform(in.begin(), in.end(), std::back_inserter(places), text_of_name);
+      for (const std::string& place : in) places.insert(text_of_name(place));
       looks_inside = looks_inside || inside_files;
     };
     request.takes_summary = [&](const std::string& program, const std::string& dialect, const Summary& totals) {

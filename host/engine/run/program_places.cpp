@@ -295,6 +295,12 @@ std::vector<ProgramPlaces::Found> ProgramPlaces::list_inside() {
   return out;
 }
 
+std::vector<std::string> ProgramPlaces::looked_in() const {
+  std::vector<std::string> out;
+  for (const Folder& folder : folders_) out.push_back(folder.shown);
+  return out;
+}
+
 std::string ProgramPlaces::describe() const {
   std::string out;
   const auto add = [&](const Folder& folder) {

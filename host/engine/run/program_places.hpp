@@ -53,6 +53,8 @@ class ProgramPlaces {
   /// Every file of the folders that may hold programs, whatever its name; of a folder of more than 256 none, and of all
   /// together 4096 files and 64 MiB at most. Listed once.
   const std::vector<Found>& inside();
+  /// The folders and files that were looked at up to now, those of the search order and of paths among them.
+  std::vector<std::string> looked_in() const;
   std::string describe() const;  ///< "folder a, file b"; what inside() has left out of a folder is told
 
  private:

@@ -60,7 +60,10 @@ bool ProgramSearch::find(const ig_go& request, const Caller& caller, Target& out
   }
   const SearchedNames names({request.files, request.file_count});
   bool found = (request.scope & IG_IN_FILES) != 0 && find_in_files(request, caller, names, out);
-  if (!found && (request.scope & IG_IN_FOLDERS) != 0) found = find_in_folders(request, caller, names, out, reason);
+  if (!found && (request.scope & IG_IN_FOLDERS) != 0) {
+    found = find_in_folders(request, caller, names, out, reason);
+    report_searched();
+  }
   if (!found) {
     if (reason.empty()) reason = searched_in(request.scope, caller.from);
     return false;
@@ -76,6 +79,16 @@ bool ProgramSearch::find(const ig_go& request, const Caller& caller, Target& out
   known_.emplace(key, out);
   if (options_.called) options_.called(label, out.file->name);
   return true;
+}
+
+/// A place that is not there yet counts, too.
+void ProgramSearch::report_searched() {
+  if (!options_.searched) return;
+  std::vector<std::string> all = options_.program_places;
+  for (std::string& folder : places().looked_in())
+    if (std::find(all.begin(), all.end(), folder == "." ? std::string() : folder) == all.end())
+      all.push_back(std::move(folder));
+  options_.searched(all, neighbours_.has_value());
 }
 
 /// In a file of several programs the one that the search order of the folders names first; of a dialect without such
@@ -118,7 +131,6 @@ std::string ProgramSearch::searched_in(std::uint32_t scope, const ProgramFile& f
 
 bool ProgramSearch::find_in_folders(const ig_go& request, const Caller& caller, const SearchedNames& names, Target& out,
                                     std::string& reason) {
-  if (options_.searched) options_.searched(options_.program_places, false);
   const std::string_view label = view_of(request.label);
   const auto take = [&](const ProgramPlaces::Found& found) {
     ProgramFile* const file = open(found, reason);
@@ -183,7 +195,6 @@ bool ProgramSearch::find_in_neighbours(std::string_view label, const Caller& cal
 
 const std::vector<ProgramSearch::Neighbour>& ProgramSearch::neighbours(std::uint32_t line) {
   if (neighbours_) return *neighbours_;
-  if (options_.searched) options_.searched(options_.program_places, true);
   neighbours_.emplace();
   for (const ProgramPlaces::Found& found : places().inside()) {
     Neighbour& one = neighbours_->emplace_back(Neighbour{found, std::nullopt, {}});

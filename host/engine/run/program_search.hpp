@@ -53,6 +53,7 @@ class ProgramSearch {
   bool find_in_files(const ig_go& request, const Caller& caller, const SearchedNames& names, Target& out);
   bool find_in_folders(const ig_go& request, const Caller& caller, const SearchedNames& names, Target& out,
                        std::string& reason);
+  void report_searched();
   void report_hidden(const ig_go& request, const Caller& caller, const SearchedNames& names, const Target& found);
   bool find_in_neighbours(std::string_view label, const Caller& caller, Target& out, std::string& reason);
   /// A file whose name tells nothing about the program: the programs that it holds, or why they are not known.
