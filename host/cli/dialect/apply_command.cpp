@@ -31,6 +31,9 @@ int ApplyCommand::run() const {
   if (!previous.empty()) {
     application.previous = read(previous);
     if (!application.previous) return cannot_start;
+  application.previous_at = {previous, 1, 0};
+  application.ahead_at = {ahead, 1, 0};
+  application.dependencies_at = {dependencies, 1, 0};
   }
   if (!ahead.empty()) {
     application.ahead = read(ahead);

@@ -121,7 +121,8 @@ std::vector<DiagnosticInfo> run_diagnostics() {
       // cases, apply, command line: 0500-0599
       {error, "IG-0501", "malformed page: {0}",
        "A case of a page is a heading, prose, and fences after the lines #Previous:, #Ahead:, #Dependencies:, "
-       "#BeforeBuild: and #AfterBuild:; the last two must be there.",
+       "#BeforeBuild: and #AfterBuild:; the last two must be there. A null in #AfterBuild: says that a value or a "
+       "section is gone that was there before the build.",
        "#BeforeBuild: without a fence"},
       {error, "IG-0502", "not a JSON object: {0}", "A block document is one JSON object.", R"({"Parsing": {"X": 1,}})"},
       {error, "IG-0503", "the syntax could not run: {0}",

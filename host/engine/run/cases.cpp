@@ -90,6 +90,36 @@ void merge(Json& into, const Json& from) {
   }
 }
 
+const Json* find(const Json* json, const std::string& key) {
+  if (json == nullptr || !json->is_object()) return nullptr;
+  const auto found = json->find(key);
+  return found == json->end() ? nullptr : &*found;
+}
+
+/// The keys that lead to nulls.
+void collect_erased(const Json& expected, std::vector<std::string>& keys, std::vector<std::vector<std::string>>& out) {
+  for (const auto& [key, value] : expected.items()) {
+    keys.push_back(key);
+    if (value.is_null()) out.push_back(keys);
+    if (value.is_object()) collect_erased(value, keys, out);
+    keys.pop_back();
+  }
+}
+
+/// Takes the nulls out of `expected` of which `got` has nothing, and the objects that held nothing else.
+void drop_erased(Json& expected, const Json* got) {
+  for (auto at = expected.begin(); at != expected.end();) {
+    const Json* const other = find(got, at.key());
+    const bool holds_values = at->is_object() && !at->empty();
+    if (holds_values) drop_erased(*at, other);
+    const bool is_erased = other == nullptr && (at->is_null() || (holds_values && at->empty()));
+    if (is_erased)
+      at = expected.erase(at);
+    else
+      ++at;
+  }
+}
+
 /// A fault of the case or of its run, for people.
 std::string fault_text(const Diagnostic& d) {
   const std::string place = d.where.column != 0 ? fmt::format("{}:{}:{}: ", d.where.file, d.where.line, d.where.column)
@@ -102,8 +132,13 @@ std::string fault_text(const Diagnostic& d) {
 /// One chain, ready for one build of one of its syntaxes.
 class Bench {
  public:
-  Bench(const LinkedDialect& linked, std::uint32_t position, ChainSettings settings, DiagnosticSink& sink)
-      : chain_(linked, std::move(settings), sink), position_(position), syntax_(*linked.chain[position].syntax) {}
+  Bench(const LinkedDialect& linked, std::uint32_t position, ChainSettings settings, const Application& application,
+        DiagnosticSink& sink)
+      : chain_(linked, std::move(settings), sink),
+        position_(position),
+        syntax_(*linked.chain[position].syntax),
+        application_(application),
+        sink_(sink) {}
 
   Json run(Json before, const Json* previous, const Json& ahead) {
     if (previous != nullptr) {
@@ -125,6 +160,7 @@ class Bench {
 
  private:
   Json finish(Document& document, const Json& before, const Json& unknown) {
+    report_never_there(document);
     // Through run(), not build(): the checked chain then checks the result against the contract.
     if (syntax_.build != nullptr) chain_.wake(document, position_);
     chain_.run(document, position_, position_ + 1);
@@ -132,9 +168,24 @@ class Bench {
     std::set<std::string> sections = written_sections(document, static_cast<std::uint16_t>(position_ + 1));
     for (const auto& [section, value] : before.items()) sections.insert(section);
     if (syntax_.scan != nullptr) sections.insert("UnparsedText");
+    for (const std::vector<std::string>& keys : application_.erased) sections.insert(keys.front());
     Json after = show_json(document, chain_.symbols(), &sections);
     merge(after, unknown);
     return after.is_null() ? Json::object() : after;
+  }
+
+  /// A null that names nothing would hold whatever the syntax does.
+  void report_never_there(const Document& document) {
+    if (application_.erased.empty()) return;
+    const Json before = show_json(document, chain_.symbols());
+    for (const std::vector<std::string>& keys : application_.erased) {
+      const Json* value = &before;
+      for (const std::string& key : keys) value = find(value, key);
+      if (value == nullptr)
+        sink_.add(host_diagnostic(
+            "IG-0501", application_.where,
+            {fmt::format("#AfterBuild: has null for {}, which is not there before the build", fmt::join(keys, "."))}));
+    }
   }
 
   /// The chain goes on to the blocks ahead, as in a run; the build then sees copies of them.
@@ -155,6 +206,8 @@ class Bench {
   Chain chain_;
   std::uint32_t position_;
   const ig_syntax& syntax_;
+  const Application& application_;
+  DiagnosticSink& sink_;
 };
 
 }  // namespace
@@ -170,24 +223,26 @@ std::optional<std::string> apply(const Application& application, const Surroundi
   }
   const Json before = parse_json(application.before, application.where, sink);
   Json previous;
-  if (application.previous) previous = parse_json(*application.previous, application.where, sink);
+  const auto place = [&](const Location& own) { return own.file.empty() ? application.where : own; };
+  if (application.previous) previous = parse_json(*application.previous, place(application.previous_at), sink);
   Json ahead;
-  if (application.ahead) ahead = parse_json(*application.ahead, application.where, sink, true);
+  if (application.ahead) ahead = parse_json(*application.ahead, place(application.ahead_at), sink, true);
   if (before.is_null() || (application.previous && previous.is_null()) || (application.ahead && ahead.is_null()))
     return std::nullopt;
 
-  const auto own = read_case_dependencies(application.dependencies, id, application.where, sink);
+  const Location at = place(application.dependencies_at);
+  const auto own = read_case_dependencies(application.dependencies, id, at, sink);
   if (!own) return std::nullopt;
   try {
     std::string alias = application.syntax;
-    Dialect dialect = surround(*syntax, *plugin, surroundings, *own, application.where, alias, library);
+    Dialect dialect = surround(*syntax, *plugin, surroundings, *own, at, alias, library);
     const std::unique_ptr<LinkedDialect> linked = link(std::move(dialect), library, sink, LinkMode::parts);
     if (linked == nullptr) return std::nullopt;
     ChainSettings settings;
     settings.mode = Mode::checked;
     settings.settings = surroundings.settings;
     for (const auto& [name, value] : own->settings) settings.settings[name] = value;
-    Bench bench(*linked, linked->position(alias).value(), std::move(settings), sink);
+    Bench bench(*linked, linked->position(alias).value(), std::move(settings), application, sink);
     return bench.run(before, application.previous ? &previous : nullptr, ahead).dump(2);
   } catch (const std::exception& e) {
     sink.add(host_diagnostic("IG-0503", application.where, {e.what()}));
@@ -211,17 +266,24 @@ std::string run_case(const Page& page, const Case& one, const std::string& file,
   if (one.file) return run_import_case(page, one, file, library);
   DiagnosticList said;
   Application application{page.syntax, one.before->text, {}, {}, {file, one.before->line, 0}};
-  if (one.previous) application.previous = one.previous->text;
-  if (one.ahead) application.ahead = one.ahead->text;
-  if (one.dependencies) application.dependencies = one.dependencies->text;
+  const auto take = [&](const std::optional<Fence>& fence, auto& text, Location& at) {
+    if (!fence) return;
+    text = fence->text;
+    at = {file, fence->line, 0};
+  };
+  take(one.previous, application.previous, application.previous_at);
+  take(one.ahead, application.ahead, application.ahead_at);
+  take(one.dependencies, application.dependencies, application.dependencies_at);
+  Json expected = parse_json(one.after->text, {file, one.after->line, 0}, said);
+  std::vector<std::string> keys;
+  if (expected.is_object()) collect_erased(expected, keys, application.erased);
   const std::optional<std::string> after = apply(application, surroundings, library, said);
 
   std::string out;
-  if (after) {
-    const Json expected = parse_json(one.after->text, {file, one.after->line, 0}, said);
-    if (!expected.is_null())
-      out = detail == CaseDetail::whole ? json_difference(expected, Json::parse(*after))
-                                        : first_differences(expected, Json::parse(*after));
+  if (after && !expected.is_null()) {
+    const Json got = Json::parse(*after);
+    drop_erased(expected, &got);
+    out = detail == CaseDetail::whole ? json_difference(expected, got) : first_differences(expected, got);
   }
   std::vector<std::string> codes, wanted;
   for (const Diagnostic& d : said.all) {

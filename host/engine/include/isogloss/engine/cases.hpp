@@ -29,8 +29,10 @@ struct Case {
                                       ///< of an importer: rows that the machine's own file has
   std::optional<Fence>
       diagnostics;  ///< the codes that must be reported, exactly; absent: none. Of an importer each with line:column
-  bool accepts_any_code = false;       ///< "#Diagnostics: any": any codes are accepted
-  std::optional<Fence> before, after;  ///< JSON; both are there in a syntax's case that was read without a fault
+  bool accepts_any_code = false;  ///< "#Diagnostics: any": any codes are accepted
+  std::optional<Fence> before,
+      after;  ///< JSON; both are there in a syntax's case that was read without a fault. A null
+              ///< in `after`: that value or section was there before the build and is gone
 
   std::string file_name;          ///< of an importer's case: "#File: TOOL.T"
   std::optional<Fence> file;      ///< its text
@@ -64,9 +66,13 @@ struct Application {
   std::string before;  ///< JSON
   std::optional<std::string> previous;
   std::string dependencies;  ///< XML, may be empty
-  Location where;            ///< of `before`
+  Location where;            ///< of `before`, and of the others where their own places are not known
   /// JSON, a list: the values written in each of the executed blocks that follow.
   std::optional<std::string> ahead = std::nullopt;
+  /// Values or sections that must be there before the build, each by its keys from the outermost: CannedCycle, R. Their
+  /// sections are shown after it, whoever wrote them.
+  std::vector<std::vector<std::string>> erased = {};
+  Location previous_at = {}, ahead_at = {}, dependencies_at = {};
 };
 
 /// Runs one build; the document after it as JSON (architecture: what is shown), two blanks of indentation. Empty, and
