@@ -120,6 +120,7 @@ void Chain::create_dependencies() {
     refuse_rows(i);
   }
   check_answers();
+  report_idle_rows();
 }
 
 /// Refuses rows that have no meaning; each is reported.
@@ -223,6 +224,41 @@ void Chain::check_answers() {
       sink_.add(
           host_diagnostic("IG-0434", is_assigned ? Location{"--set"} : d.element.where, {d.element.alias, other}));
   }
+}
+
+/// What a dialect or machine holds is for `lint`; what is given for one run is looked at here.
+void Chain::report_idle_rows() {
+  const auto idle_name = [&](std::size_t i, const std::string& row, const char* column) {
+    const ig_dependency& d = *linked_.dependencies[i].dependency;
+    if (service_of(d, dependencies_[i], IG_ROW_MEANING_SERVICE) == nullptr || meaning_of(i, row, column))
+      return std::string();
+    const bool has_other = std::any_of(d.columns, d.columns + d.column_count,
+                                       [&](const ig_column_decl& c) { return meaning_of(i, row, c.name).has_value(); });
+    return has_other ? row + "." + column : row;
+  };
+  for (const AssignedRow& row : assigned_rows_) {
+    const LinkedDependency& d = linked_.dependencies[row.dependency];
+    const std::string name = idle_name(row.dependency, row.name, d.dependency->columns[row.column].name);
+    if (!name.empty()) sink_.add(host_diagnostic("IG-0613", {"--set"}, {d.element.alias, name}));
+  }
+  const auto look_at = [&](std::size_t i, const DependencyElement& given) {
+    const LinkedDependency& d = linked_.dependencies[i];
+    if (service_of(*d.dependency, dependencies_[i], IG_ROW_MEANING_SERVICE) == nullptr) return;
+    std::vector<std::string> names;
+    Location first;
+    for (const TableRow& row : given.rows)
+      for (const Attribute& cell : row.attributes) {
+        const bool is_key = cell.name == d.dependency->row_key;
+        const std::string name = is_key ? "" : idle_name(i, std::string(key_of(*d.dependency, row)), cell.name.c_str());
+        if (name.empty() || (!names.empty() && names.back() == name)) continue;
+        if (names.empty()) first = cell.where;
+        names.push_back(name);
+      }
+    if (!names.empty()) sink_.add(host_diagnostic("IG-0613", first, {d.element.alias, listed(names, 8)}));
+  };
+  for (std::size_t i = 0; i < dependencies_.size(); ++i)
+    for (const DependencyElement& given : settings_.dependencies)
+      if (is_given(given, linked_.dependencies[i].element)) look_at(i, given);
 }
 
 void Chain::overlay(const DependencyElement& element) {

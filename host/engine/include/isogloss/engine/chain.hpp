@@ -223,6 +223,7 @@ class Chain {
   void assign(const std::string& path, const std::string& value);
   void refuse_rows(std::size_t dependency);
   void check_answers();
+  void report_idle_rows();
   /// Syntaxes, as in Document::active.
   struct Reach {
     std::uint64_t words[most_wake_words];
