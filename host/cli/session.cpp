@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 
 #include "crash_guard.hpp"
 
@@ -36,9 +37,14 @@ DiagnosticPolicy policy(const CommonOptions& options) {
   return out;
 }
 
+/// Told at the end of the session, when its command has returned its status already.
+bool are_diagnostics_lost = false;
+
+/// A reader that went away, or was never there, is no fault.
 void write_to_stderr(std::string_view text) {
   const Writing writing;
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  const bool is_out = std::fwrite(text.data(), 1, text.size(), stderr) == text.size();
+  are_diagnostics_lost = are_diagnostics_lost || (!is_out && errno != EPIPE && errno != EBADF);
 }
 
 }  // namespace
@@ -80,7 +86,10 @@ Session::Session(const CommonOptions& options)
       }) {
   std::string error;
   if (!diagnostics_output_.empty()) diagnostics_file_ = OutputFile::open(diagnostics_output_, error);
-  if (!diagnostics_output_.empty() && diagnostics_file_ == nullptr) report("IG-0511", {diagnostics_output_}, {error});
+  if (!diagnostics_output_.empty() && diagnostics_file_ == nullptr) {
+    are_diagnostics_lost = true;
+    report("IG-0511", {diagnostics_output_}, {error});
+  }
   if (folder_of_executable().empty()) report("IG-0610", {}, {"plugins and dialects"});
   for (const auto& [option, folders] :
        {std::pair{"--plugins", &options.plugins}, std::pair{"--dialects", &options.dialects},
@@ -92,8 +101,11 @@ Session::Session(const CommonOptions& options)
 Session::~Session() {
   diagnostics_.finish();
   if (diagnostics_file_ == nullptr || diagnostics_file_->commit() || diagnostics_file_->reader_is_gone()) return;
+  are_diagnostics_lost = true;
   write_to_stderr("isogloss: " + diagnostics_output_ + " cannot be written: " + diagnostics_file_->error() + "\n");
 }
+
+bool diagnostics_were_lost() { return are_diagnostics_lost; }
 
 int Session::status() const {
   const auto& codes = diagnostics_.by_code();

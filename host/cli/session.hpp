@@ -50,6 +50,9 @@ class Session : public Workspace {
   DiagnosticWriter diagnostics_;
 };
 
+/// True once diagnostics could not be written, to --diagnostics-output or standard error: exit status cannot_start.
+bool diagnostics_were_lost();
+
 /// Stays until the process ends, which frees all of it at once: to take thousands of small parts down one by one is
 /// what short programs would wait for.
 template <class T>

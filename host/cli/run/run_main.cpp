@@ -1,12 +1,14 @@
 // Finds the subcommand. Options that stand before it belong to it as well: `isogloss --plugins DIR run …`.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include "command.hpp"
 #include "isogloss/engine/diagnostic.hpp"
 #include "output_file.hpp"
+#include "session.hpp"
 #include "terminal.hpp"
 #include "usage.hpp"
 
@@ -27,7 +29,9 @@ std::string usage() {
     out += "  " + shown + std::string(16 - shown.size(), ' ') + std::string(o.summary) + "\n";
   }
   return out +
-         "\nExit status: 0 at most warnings, 1 errors in the input, 2 cannot start, 3 internal fault.\n\n"
+         "\nExit status: 0 at most warnings, 1 errors in the input, 2 cannot start or cannot write an output, 3 "
+         "internal "
+         "fault.\n\n"
          "Example:\n  isogloss run part.nc --emit motions --format text\n";
 }
 
@@ -70,7 +74,8 @@ int dispatch(Arguments arguments) {
 
 int run_main(Arguments arguments) {
   try {
-    return dispatch(std::move(arguments));
+    const int status = dispatch(std::move(arguments));
+    return diagnostics_were_lost() ? std::max<int>(status, cannot_start) : status;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "isogloss: internal fault: %s\n", e.what());
   } catch (...) {

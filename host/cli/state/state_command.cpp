@@ -161,7 +161,7 @@ int StateCommand::show(Session& session, const std::string& path) {
     const std::optional<std::string> preamble = restart.write(*point, nearest);
     session.progress().hide();
     if (!preamble) return session.status();
-    return print(with_rest ? *preamble + from_line(*text, restart.line()) : *preamble, success);
+    return print(with_rest ? *preamble + from_line(*text, restart.line()) : *preamble, session.status());
   }
   session.progress().hide();
   const std::vector<StateRow> state = rows(*point, linked->layout);
