@@ -5,6 +5,7 @@
 #include "crash_guard.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "page_section.hpp"
 #include "program_options.hpp"
 #include "sandbox/untrusted.hpp"
@@ -164,6 +165,9 @@ int InspectCommand::run() const {
                    "isogloss list machines names them");
     return cannot_start;
   }
+  std::vector<std::string> inputs = programs;
+  inputs.insert(inputs.end(), {name, dialect, machine});
+  if (!are_apart(inputs, {common.diagnostics_output}, session)) return cannot_start;
   const ig_plugin* plugin = nullptr;
   std::unique_ptr<LinkedDialect> linked;
   const std::optional<std::string> named = session.dialect_or_machine(dialect, machine);

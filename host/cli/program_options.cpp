@@ -51,6 +51,12 @@ void ProgramOptions::add_to(CommandLine& line) {
 }
 
 bool ProgramOptions::take_side(const std::string& own_dialect, const std::string& own_machine, Workspace& workspace) {
+std::vector<std::string> ProgramOptions::files() const {
+  std::vector<std::string> out = {dialect, machine, offsets, tools, variables};
+  out.insert(out.end(), subprograms.begin(), subprograms.end());
+  return out;
+}
+
   if (!own_machine.empty()) machine = own_machine;
   if (!own_dialect.empty()) dialect = own_dialect;
   if (machine.empty()) return true;

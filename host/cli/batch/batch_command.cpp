@@ -15,6 +15,7 @@
 #include "batch/results.hpp"
 #include "batch/run_surroundings.hpp"
 #include "batch/slurm.hpp"
+#include "outputs.hpp"
 
 namespace isogloss::cli {
 
@@ -277,6 +278,10 @@ int batch_command(const Arguments& arguments) {
   if (request.slurm_parts != 0) {
     const bool is_piped = request.places.list == "-";
     if (request.merges || !request.shard_text.empty() || is_piped) {
+  std::vector<std::string> inputs = request.program.files();
+  inputs.insert(inputs.end(), request.places.places.begin(), request.places.places.end());
+  inputs.push_back(request.places.list);
+  if (!are_apart(inputs, {request.common.diagnostics_output}, session)) return cannot_start;
       session.report("IG-0513", {},
                      {is_piped ? "the parts of --slurm cannot read standard input: --list needs a file"
                                : "--slurm makes parts and merges them: leave --shard and --merge out"});

@@ -9,6 +9,7 @@
 #include "case/case_report.hpp"
 #include "isogloss/engine/cases.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "sandbox/untrusted.hpp"
 #include "surroundings.hpp"
 
@@ -98,6 +99,9 @@ int CaseCommand::run() const {
     session.report("IG-0513", {}, {"name pages, or --all for those in the plugins"});
     return cannot_start;
   }
+  std::vector<std::string> inputs = with_other_cases(files);
+  inputs.insert(inputs.end(), {around.dialect, around.machine});
+  if (!are_apart(inputs, {common.diagnostics_output}, session)) return cannot_start;
   const std::optional<Surroundings> surroundings = around.make(session);
   if (!surroundings) return cannot_start;
   Cases cases(session, *surroundings, verbose ? CaseDetail::whole : CaseDetail::first_paths);

@@ -2,6 +2,7 @@
 #include "crash_guard.hpp"
 #include "isogloss/engine/cases.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "sandbox/untrusted.hpp"
 #include "surroundings.hpp"
 
@@ -19,6 +20,14 @@ struct ApplyCommand {
 
 int ApplyCommand::run() const {
   Session session(common);
+  for (const std::string& file : {previous, ahead, dependencies})
+    if (file == "-") {
+      session.report("IG-0513", {},
+                     {"standard input is the block itself: --previous, --ahead and --dependencies need files"});
+      return cannot_start;
+    }
+  const std::vector<std::string> inputs = {previous, ahead, dependencies, around.dialect, around.machine};
+  if (!are_apart(inputs, {common.diagnostics_output}, session)) return cannot_start;
   const std::optional<Surroundings> surroundings = around.make(session);
   if (!surroundings) return cannot_start;
   Application application{syntax, {}, {}, {}, {"standard input", 1, 0}};

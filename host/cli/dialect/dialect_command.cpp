@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "dialect/chain_map.hpp"
+#include "dialect_files.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
 #include "outputs.hpp"
@@ -24,8 +25,15 @@ struct DialectCommand {
   int show_graph(const LinkedDialect& linked, Session& session) const;
   int show_why(const LinkedDialect& linked, Session& session) const;
   int show_difference(const Dialect& dialect, Session& session) const;
+  bool is_apart(const Dialect& dialect, std::vector<std::string> side_files, Session& session) const;
   int write(const std::string& text, Session& session, int status) const;
 };
+
+/// No output replaces a file that something of the dialect stands in; what else lies in a machine's folder is not read.
+bool DialectCommand::is_apart(const Dialect& dialect, std::vector<std::string> side_files, Session& session) const {
+  side_files.insert(side_files.end(), {output, common.diagnostics_output});
+  return are_apart(files_of_parts(dialect), side_files, session);
+}
 
 int DialectCommand::write(const std::string& text, Session& session, int status) const {
   if (output.empty()) return print(text, status);
@@ -37,6 +45,9 @@ int DialectCommand::write_effective(const Dialect& dialect, Session& session) co
   const bool is_inline = inline_tables || base_directory.empty();
   const WrittenDialect written =
       write_dialect(dialect, base_directory, is_inline, annotate ? Annotations::places : Annotations::none);
+  std::vector<std::string> side_files;
+  for (const auto& [path, text] : written.side_files) side_files.push_back((fs::path(base_directory) / path).string());
+  if (!is_apart(dialect, side_files, session)) return cannot_start;
   for (const auto& [path, text] : written.side_files)
     if (!write_file((fs::path(base_directory) / path).string(), text, session)) return cannot_start;
   return write(written.xml, session, session.status());
@@ -86,7 +97,7 @@ std::unique_ptr<LinkedDialect> linked_in_spite_of_faults(const std::string& name
 /// As `diff`: 0 nothing differs, 1 something does, 2 trouble.
 int DialectCommand::show_difference(const Dialect& dialect, Session& session) const {
   const std::optional<Dialect> right = session.read(other);
-  if (!right) return cannot_start;
+  if (!right || !is_apart(*right, {}, session)) return cannot_start;
   const Json found = describe_difference(dialect, *right, session.library());
   const bool is_same = found["Same"].get<bool>();
   return write(json ? pretty(found) : difference_as_text(found), session, is_same ? success : input_errors);
@@ -115,11 +126,13 @@ int DialectCommand::run() {
     std::unique_ptr<LinkedDialect> linked = session.link(*named);
     if (linked == nullptr && !why.empty()) linked = linked_in_spite_of_faults(*named, session);
     if (linked == nullptr) return session.status() == success ? static_cast<int>(cannot_start) : session.status();
+    if (!is_apart(linked->dialect, {}, session)) return cannot_start;
     return graph ? show_graph(*linked, session) : show_why(*linked, session);
   }
   const std::optional<Dialect> dialect = session.read(*named);
   if (!dialect)
     return !other.empty() || session.status() == success ? static_cast<int>(cannot_start) : session.status();
+  if (!is_apart(*dialect, {}, session)) return cannot_start;
   return other.empty() ? write_effective(*dialect, session) : show_difference(*dialect, session);
 }
 

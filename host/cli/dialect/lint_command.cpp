@@ -8,6 +8,7 @@
 #include "dialect/order_patch.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "sandbox/untrusted.hpp"
 #include "session.hpp"
 
@@ -110,6 +111,7 @@ int LintCommand::run() const {
     if (!file) return cannot_start;
     all.push_back(*file);
   }
+  if (!are_apart(all, {common.diagnostics_output}, session)) return cannot_start;
   std::string text;
   Json checked = Json::array();
   for (const std::string& name : all) {

@@ -154,6 +154,8 @@ int DiffCommand::run() {
   tolerance_ = *tolerance;
   std::vector<std::string> inputs = programs;
   inputs.push_back(second_);
+  for (const std::string& file : program.files()) inputs.push_back(file);
+  for (std::size_t side = 0; side < 2; ++side) inputs.insert(inputs.end(), {dialects[side], machines[side]});
   if (!are_apart(inputs, {page, common.diagnostics_output}, session)) return cannot_start;
   watch_calls(0);  // the comparison itself notices a run that does not go on
   int status = success;

@@ -10,6 +10,7 @@
 #include "explain/follow_field.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "program_options.hpp"
 #include "run_progress.hpp"
 #include "sandbox/untrusted.hpp"
@@ -76,6 +77,9 @@ int ExplainCommand::explain_blocks(Session& session, const std::string& path, co
 
 int ExplainCommand::explain_lines(Session& session, const NamedLines& lines) {
   const std::string& path = lines.program;
+  std::vector<std::string> inputs = program.files();
+  inputs.insert(inputs.end(), {path, target.file});
+  if (!are_apart(inputs, {common.diagnostics_output}, session)) return cannot_start;
   std::optional<RunOptions> options = program.make(session);
   const std::unique_ptr<OpenedProgram> source = OpenedProgram::open(path, session);
   if (!options || source == nullptr) return cannot_start;

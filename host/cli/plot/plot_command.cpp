@@ -21,9 +21,8 @@ struct PlotCommand {
 int PlotCommand::run() {
   Session session(common);
   if (output.empty() || output == "-") session.progress().data_goes_to_stdout();
-  std::vector<std::string> inputs = {path,          program.dialect,  program.machine, program.offsets,
-                                     program.tools, program.variables};
-  inputs.insert(inputs.end(), program.subprograms.begin(), program.subprograms.end());
+  std::vector<std::string> inputs = program.files();
+  inputs.push_back(path);
   if (!is_name_of_svg(output, session) || !are_apart(inputs, {output, common.diagnostics_output}, session))
     return cannot_start;
   const std::unique_ptr<KeptProgram> kept = KeptProgram::open(path, session);

@@ -10,6 +10,7 @@
 #include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "program_options.hpp"
 #include "run_progress.hpp"
 #include "sandbox/untrusted.hpp"
@@ -124,6 +125,9 @@ Json StateCommand::json_of(const ProgramPoint& point, const std::vector<StateRow
 }
 
 int StateCommand::show(Session& session, const std::string& path) {
+  std::vector<std::string> inputs = program.files();
+  inputs.insert(inputs.end(), {path, target.file});
+  if (!are_apart(inputs, {common.diagnostics_output}, session)) return cannot_start;
   std::optional<RunOptions> options = program.make(session);
   if (!options) return cannot_start;
   std::string error;

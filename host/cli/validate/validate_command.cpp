@@ -9,6 +9,7 @@
 
 #include "json_text.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "session.hpp"
 #include "validate/report.hpp"
 #include "validate/side_by_side.hpp"
@@ -148,6 +149,7 @@ int ValidateCommand::run() const {
   }
   if (files.empty()) return misused("name the file of a plugin, or --list for the checks");
   if (!options.dialect.empty() && !session.reader().read(options.dialect, session.diagnostics())) return cannot_start;
+  if (!are_apart(files, {options.common.diagnostics_output}, session)) return cannot_start;
   std::vector<PluginOutcome> plugins;
   Steps steps{session.progress(), checks.size() * files.size()};
   bool is_missing = false;

@@ -79,10 +79,8 @@ int ViewCommand::run() {
   Session session(view.common);
   if (!is_usage_sound(session)) return cannot_start;
   if (output.empty() || output == "-") session.progress().data_goes_to_stdout();
-  std::vector<std::string> inputs = {
-      view.path,        view.program.dialect, view.program.machine, view.dialects[0],   view.dialects[1],
-      view.machines[0], view.machines[1],     view.program.offsets, view.program.tools, view.program.variables};
-  inputs.insert(inputs.end(), view.program.subprograms.begin(), view.program.subprograms.end());
+  std::vector<std::string> inputs = view.program.files();
+  inputs.insert(inputs.end(), {view.path, view.dialects[0], view.dialects[1], view.machines[0], view.machines[1]});
   if (!are_apart(inputs, {output, view.common.diagnostics_output}, session)) return cannot_start;
   auto viewer = std::make_unique<viewing::Viewer>(std::move(view));
   if (serve) viewer->serve(1);
