@@ -85,11 +85,16 @@ int ImportCommand::run() const {
   const std::string path = is_folder ? (fs::path(output) / "imported.xml").string() : output;
   if (!are_apart(files, {path, common.diagnostics_output}, session)) return cannot_start;
   Dialect machine;
+  bool are_there = true;
   for (const std::string& file : files) {
+    const bool is_there = file == "-" || fs::exists(file, ignored);
+    if (!is_there) session.report("IG-0510", {file}, {"no such file or folder"});
+    are_there = are_there && is_there;
     Import import{file, format, {}, {}};
     if (!read_settings(settings, import.options, session)) return cannot_start;
     machine.imports.push_back(std::move(import));
   }
+  if (!are_there) return cannot_start;
   session.progress().show(0, 0, "reading the files");
   if (!complete_machine(machine, session.library(), session.diagnostics())) return input_errors;
   session.progress().hide();

@@ -385,9 +385,10 @@ class Machines(unittest.TestCase):
         part = self.write("part.nc", "G21 G90 G54 G43 H1 Z0\nM30\n")
         self.assertIn(",2494.28,", self.run_it("run", part, "-m", "machines/mill", "--emit", "motions", "--format",
                                                "csv").stdout)
-        for arguments, code in ((["nothing.tbl"], "IG-0126"), ([table, "--format", "Csv"], "IG-0129"),
-                                ([table, "--set", "unit=foot"], "IG-0205")):
+        for arguments, code in (([table, "--format", "Csv"], "IG-0129"), ([table, "--set", "unit=foot"], "IG-0205")):
             self.assertIn(f"[{code}]", self.run_it("import", *arguments, status=1).stderr)
+        for missing in (["nothing.tbl"], [table, "nothing.tbl", "-o", "kept.xml"]):
+            self.assertIn("nothing.tbl: error: cannot be read", self.run_it("import", *missing, status=2).stderr)
         self.run_it("import", status=2)
 
     def test_the_content_of_a_file_tells_its_format(self):

@@ -78,6 +78,8 @@ std::string backup_fault(const fs::path& backup, const fs::path& place) {
   const bool exists = fs::exists(backup, error);
   if (error) return error.message();
   if (!exists) return std::make_error_code(std::errc::no_such_file_or_directory).message();
+  if (!fs::is_directory(backup, error) && !fs::is_regular_file(backup, error))
+    return "it is neither a file nor a folder";
   return fs::is_directory(backup, error) && lies_in(place, backup) ? "the new machine would lie in it" : "";
 }
 

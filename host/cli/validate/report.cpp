@@ -34,7 +34,7 @@ std::string indented(const std::string& text) {
 std::string as_text(const std::vector<PluginOutcome>& plugins, const ValidateOptions& options) {
   std::string out;
   for (const PluginOutcome& plugin : plugins) {
-    out += plugin.file + "\n";
+    out += printable(plugin.file) + "\n";
     std::size_t failed[3] = {}, held = 0, skipped = 0;
     std::set<std::string> why_skipped;
     bool has_random_failure = false;
