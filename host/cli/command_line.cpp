@@ -9,6 +9,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "isogloss/engine/diagnostic.hpp"
 #include "output_file.hpp"
@@ -59,10 +60,19 @@ std::string unexpected(const CLI::App& parser) {
   for (const std::string& word : parser.remaining()) {
     const std::string option = word.substr(0, word.find('='));
     if (option.starts_with("--")) return "no option '" + option + "'" + did_you_mean(nearest_name(option, names));
-    if (option.size() > 1 && option.starts_with('-')) return "no option '" + option.substr(0, 2) + "'";
+    if (option.size() > 1 && option.starts_with('-'))
+      return "no option '" + option.substr(0, 2) + "': write -- before a name that begins with -";
     if (operand.empty()) operand = word;
   }
   return "'" + operand + "' is one operand too many";
+}
+
+/// An option that takes one value and was given several; empty: there is none.
+std::string repeated(const CLI::App& parser) {
+  for (const CLI::Option* const option : parser.get_options())
+    if (option->get_items_expected_max() == 1 && option->count() > 1)
+      return option->get_name() + " takes one value and is given " + std::to_string(option->count()) + " times";
+  return {};
 }
 
 /// In place of the library's "TEXT:{a,b}": the words, or what stands for the value.
@@ -92,9 +102,63 @@ class HelpFormatter : public CLI::Formatter {
 struct CommandLine::Parser : CLI::App {
   using CLI::App::App;
 
+  /// A flag that stands for another option with a value.
+  struct Short {
+    const CLI::Option *flag, *option;
+    std::string* value;
+    std::string word;
+  };
+
   std::string name, example;
   std::map<const CLI::Option*, std::vector<std::string>> words;  // that one_of() allows
+  std::vector<Option::Rule> rules;
+  std::vector<Short> shorts;
+
+  /// What was given and would have no effect; empty: nothing.
+  std::string idle_option() const;
+  std::string apply_shorts() const;
 };
+
+std::string CommandLine::Parser::idle_option() const {
+  for (const CLI::Option* const option : get_options()) {
+    const bool has_empty_value = option->get_items_expected_max() > 0 && option->count() > 0 &&
+                                 std::any_of(option->results().begin(), option->results().end(),
+                                             [](const std::string& value) { return value.empty(); });
+    if (has_empty_value) return option->get_name(option->get_positional()) + ": its value is empty";
+  }
+  for (const Option::Rule& rule : rules) {
+    const CLI::Option& option = *static_cast<const CLI::Option*>(rule.option);
+    if (rule.other.empty()) {
+      std::set<std::string> given;
+      for (const std::string& text : option.results())
+        if (const auto [at, is_new] = given.insert(text.substr(0, text.find('='))); !is_new)
+          return option.get_name() + " gives " + *at + " two values: leave one of them out";
+      continue;
+    }
+    const CLI::Option* const other = get_option_no_throw(rule.other);
+    const bool has_other = other != nullptr && other->count() > 0;
+    if (option.count() == 0 || has_other == rule.needs_other) continue;
+    const std::string what = option.get_name() + " has no effect ";
+    return rule.needs_other ? what + "without " + rule.other
+                            : what + "beside " + rule.other + ": leave one of them out";
+  }
+  return {};
+}
+
+std::string CommandLine::Parser::apply_shorts() const {
+  const Short* first = nullptr;
+  for (const Short& one : shorts) {
+    if (one.flag->count() == 0) continue;
+    const std::string named = one.option->count() > 0 ? one.option->get_name() + " " + *one.value
+                              : first != nullptr      ? first->flag->get_name()
+                                                      : std::string();
+    if (!named.empty() && *one.value != one.word)
+      return one.flag->get_name() + " and " + named + " contradict each other: leave one of them out";
+    *one.value = one.word;
+    first = &one;
+  }
+  return {};
+}
 
 Option& Option::required() {
   option_of(option_).required();
@@ -118,11 +182,21 @@ Option& Option::one_of(const std::vector<std::string>& words) {
   return *this;
 }
 
-Option& Option::not_empty() {
-  option_of(option_).check(
-      [](const std::string& text) { return text.empty() ? std::string("its value is empty") : std::string(); }, "");
+Option& Option::names_once() {
+  rules_->push_back({option_, {}, false});
   return *this;
 }
+
+Option& Option::only_with(const std::string& other) {
+  rules_->push_back({option_, other, true});
+  return *this;
+}
+
+Option& Option::not_with(const std::string& other) {
+  rules_->push_back({option_, other, false});
+  return *this;
+}
+
 Option& Option::at_least(std::uint64_t minimum) {
   option_of(option_).check(
       [minimum](const std::string& text) {
@@ -163,15 +237,14 @@ CommandLine::CommandLine(const std::string& name, const std::string& description
 CommandLine::~CommandLine() = default;
 
 Option CommandLine::option(const std::string& names, std::string& value, const std::string& description) {
-  CLI::Option* const added = parser_->add_option(names, value, description);
-  return Option(added, parser_->words[added]);
+  return added(parser_->add_option(names, value, description));
 }
 
 template <class Number>
 Option CommandLine::number(const std::string& names, Number& value, const std::string& description) {
-  CLI::Option* const added = parser_->add_option(names, value, description)->transform(without_zeros);
-  added->check(excess<largest<Number>>, "");
-  return Option(added, parser_->words[added]).at_least(0);
+  CLI::Option* const option = parser_->add_option(names, value, description)->transform(without_zeros);
+  option->check(excess<largest<Number>>, "");
+  return added(option).at_least(0);
 }
 
 Option CommandLine::option(const std::string& names, std::uint32_t& value, const std::string& description) {
@@ -188,14 +261,25 @@ Option CommandLine::option(const std::string& names, std::optional<std::uint64_t
 }
 
 Option CommandLine::option(const std::string& names, std::vector<std::string>& values, const std::string& description) {
-  CLI::Option* const added = parser_->add_option(names, values, description);
-  if (names.starts_with('-')) added->allow_extra_args(false);
-  return Option(added, parser_->words[added]);
+  CLI::Option* const option = parser_->add_option(names, values, description);
+  if (names.starts_with('-')) option->allow_extra_args(false);
+  return added(option);
 }
 
 Option CommandLine::flag(const std::string& names, bool& value, const std::string& description) {
-  CLI::Option* const added = parser_->add_flag(names, value, description);
-  return Option(added, parser_->words[added]);
+  return added(parser_->add_flag(names, value, description));
+}
+
+Option CommandLine::flag_for(const std::string& option, std::string& value, const std::string& word,
+                             const std::string& name, const std::string& more) {
+  const std::string description = "The same as " + option + " " + word + more;
+  CLI::Option* const flag = parser_->add_flag(name, description);
+  parser_->shorts.push_back({flag, parser_->get_option(option), &value, word});
+  return added(flag);
+}
+
+Option CommandLine::added(void* option) {
+  return Option(option, parser_->words[static_cast<CLI::Option*>(option)], parser_->rules);
 }
 
 void CommandLine::describe(Usage& usage) const {
@@ -227,17 +311,37 @@ std::optional<int> CommandLine::parse(const Arguments& arguments) {
   }
   try {
     parser_->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    for (const std::string& fault : {parser_->idle_option(), parser_->apply_shorts()})
+      if (!fault.empty()) return wrong_usage(fault);
     return std::nullopt;
   } catch (const CLI::CallForHelp&) {
     return print(fitted(parser_->help(), columns_of(STDOUT_FILENO)), success);
   } catch (const CLI::ParseError& e) {
-    const bool is_unexpected = dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr;
-    std::cerr << parser_->get_name() << ": " << (is_unexpected ? unexpected(*parser_) : e.what()) << "\n"
-              << parser_->get_name() << " --help says more\n";
-    return cannot_start;
+    // What is missing may be the word that was taken for an option: -:12 of standard input.
+    const bool is_unexpected =
+        dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr ||
+        (dynamic_cast<const CLI::RequiredError*>(&e) != nullptr && parser_->remaining_size() > 0);
+    const std::string repeated_option = repeated(*parser_);
+    return wrong_usage(is_unexpected ? unexpected(*parser_) : !repeated_option.empty() ? repeated_option : e.what());
   }
 }
 
+int CommandLine::wrong_usage(const std::string& what) const {
+  std::cerr << parser_->get_name() << ": " << what << "\n" << parser_->get_name() << " --help says more\n";
+  return cannot_start;
+}
+
 bool CommandLine::is_given(const std::string& option) const { return parser_->count(option) > 0; }
+
+std::vector<std::string> CommandLine::given_besides(const std::string& group,
+                                                    const std::vector<std::string>& others) const {
+  std::vector<std::string> out;
+  for (const CLI::Option* const option : parser_->get_options()) {
+    const bool is_other = option->get_positional() || option->get_group() == group ||
+                          std::find(others.begin(), others.end(), option->get_name()) != others.end();
+    if (!is_other && option->count() > 0) out.push_back(option->get_name());
+  }
+  return out;
+}
 
 }  // namespace isogloss::cli

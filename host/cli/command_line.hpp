@@ -23,8 +23,11 @@ class Option {
   /// A whole number; a smaller one is wrong usage.
   Option& at_least(std::uint64_t minimum);
   Option& existing_folder();
-  /// An empty value is wrong usage: it would mean the same as no option.
-  Option& not_empty();
+  /// Wrong usage without that other option, "--slurm", and beside it: this one has no effect then.
+  Option& only_with(const std::string& other);
+  Option& not_with(const std::string& other);
+  /// Of NAME=VALUE, repeatable: a NAME that stands there twice is wrong usage.
+  Option& names_once();
   /// --help shows the value that the variable has now.
   Option& shows_default();
   /// The heading under which --help lists it; empty: it is not listed.
@@ -32,12 +35,21 @@ class Option {
 
  private:
   friend class CommandLine;
-  Option(void* option, std::vector<std::string>& words) : option_(option), words_(&words) {}
+  /// Beside or without which other option this one has no effect; without an `other`: the names that it gives differ.
+  struct Rule {
+    const void* option;
+    std::string other;
+    bool needs_other;
+  };
+  Option(void* option, std::vector<std::string>& words, std::vector<Rule>& rules)
+      : option_(option), words_(&words), rules_(&rules) {}
   void* option_;  // the parser's own, alive as long as the CommandLine
   std::vector<std::string>* words_;
+  std::vector<Rule>* rules_;
 };
 
-/// The command line of one command. The variables must outlive parse().
+/// The command line of one command. The variables must outlive parse(). An empty value is wrong usage: it would mean
+/// the same as none.
 class CommandLine {
  public:
   CommandLine(const std::string& name, const std::string& description, const std::string& example);
@@ -54,14 +66,22 @@ class CommandLine {
   /// Repeatable, one value each time; an operand takes all that are left.
   Option option(const std::string& names, std::vector<std::string>& values, const std::string& description = {});
   Option flag(const std::string& names, bool& value, const std::string& description);
+  /// "--json" as another way to say "--format json": parse() puts `word` into the `value` of `option`, which may not
+  /// name another one.
+  Option flag_for(const std::string& option, std::string& value, const std::string& word, const std::string& name,
+                  const std::string& more = {});
 
   /// A status when the command is done already (help, wrong usage, described).
   std::optional<int> parse(const Arguments& arguments);
   /// After parse(): does the option, "--format", stand on the command line?
   bool is_given(const std::string& option) const;
+  /// After parse(): the options that stand there, by their long names, but for those of the group and of `others`.
+  std::vector<std::string> given_besides(const std::string& group, const std::vector<std::string>& others) const;
 
  private:
   struct Parser;
+  Option added(void* option);
+  int wrong_usage(const std::string& what) const;
   template <class Number>
   Option number(const std::string& names, Number& value, const std::string& description);
   void describe(Usage& usage) const;

@@ -171,7 +171,8 @@ int import_command(const Arguments& arguments) {
   line.option("--format", command.format, "The importer; otherwise the content decides (isogloss list importers)")
       .type_name("NAME");
   line.option("--set", command.settings, "An option of the importer, such as unit=inch (repeatable)")
-      .type_name("NAME=VALUE");
+      .type_name("NAME=VALUE")
+      .names_once();
   line.option("-o,--output", command.output, "Write to this file, or to imported.xml in this folder")
       .type_name("FILE|DIR");
   line.flag("--json", command.json,
@@ -188,7 +189,8 @@ int export_command(const Arguments& arguments) {
   line.option("-m,--machine", command.machine, "The machine, by name, folder or file").required().type_name("MACHINE");
   line.option("--format", command.format, "The format (isogloss list importers)").required().type_name("NAME");
   line.option("--set", command.settings, "An option of the format, such as unit=inch (repeatable)")
-      .type_name("NAME=VALUE");
+      .type_name("NAME=VALUE")
+      .names_once();
   line.option("-o,--output", command.output, "Write to a file").type_name("FILE");
   line.flag("--json", command.json,
             "Write JSON (schemas/export.schema.json): what the file lacks, and its text where -o does not name it");

@@ -24,6 +24,7 @@ struct InspectCommand {
   std::optional<FoundMachine> find_machine(Session& session) const;
   int show_machine(const FoundMachine& found, Session& session) const;
   int show(Json declaration, const char* page, Session& session) const;
+  void report_idle_dialect(const char* kind, Session& session) const;
   int show_section(const std::vector<std::string>& pages, Session& session) const;
   std::optional<int> show_code(const LinkedDialect& linked, Session& session) const;
   std::vector<std::string> names(Session& session, const Json& fields) const;
@@ -98,6 +99,12 @@ int InspectCommand::show(Json declaration, const char* page, Session& session) c
   return print(out + fitted(as_lines(declaration), columns_of(STDOUT_FILENO)), session.status());
 }
 
+/// Of -d and -m, where what is shown is the same in every dialect.
+void InspectCommand::report_idle_dialect(const char* kind, Session& session) const {
+  if (dialect.empty() && machine.empty()) return;
+  session.report("IG-0519", {}, {dialect.empty() ? "--machine" : "--dialect", name + " is " + kind});
+}
+
 std::optional<FoundMachine> InspectCommand::find_machine(Session& session) const {
   std::error_code code;
   const std::filesystem::path path(name);
@@ -158,6 +165,9 @@ std::string InspectCommand::near_code(const LinkedDialect& linked) const {
 
 int InspectCommand::run() const {
   Session session(common);
+  std::vector<std::string> inputs = programs;
+  inputs.insert(inputs.end(), {name, dialect, machine});
+  if (!are_apart(inputs, {common.diagnostics_output}, session)) return cannot_start;
   session.library().load_all();
   const std::optional<FoundMachine> found = find_machine(session);
   if (!programs.empty() && (!found || found->is_tables)) {
@@ -165,9 +175,6 @@ int InspectCommand::run() const {
                    "isogloss list machines names them");
     return cannot_start;
   }
-  std::vector<std::string> inputs = programs;
-  inputs.insert(inputs.end(), {name, dialect, machine});
-  if (!are_apart(inputs, {common.diagnostics_output}, session)) return cannot_start;
   const ig_plugin* plugin = nullptr;
   std::unique_ptr<LinkedDialect> linked;
   const std::optional<std::string> named = session.dialect_or_machine(dialect, machine);
@@ -194,14 +201,20 @@ int InspectCommand::run() const {
     }
     return show(std::move(out), dependency->page, session);
   }
-  if (const ig_importer* const importer = session.library().importer(name, &plugin))
+  if (const ig_importer* const importer = session.library().importer(name, &plugin)) {
+    report_idle_dialect("an importer", session);
     return show(describe(*importer, *plugin), importer->page, session);
-  if (found) return show_machine(*found, session);
+  }
+  if (found) {
+    report_idle_dialect("a machine itself", session);
+    return show_machine(*found, session);
+  }
   const std::vector<Dialect> dialects = session.reader().list();
   const bool is_dialect =
       name.find('/') != std::string::npos || name.ends_with(".xml") ||
       std::any_of(dialects.begin(), dialects.end(), [&](const Dialect& d) { return d.name == name; });
   if (is_dialect) {
+    report_idle_dialect("a dialect itself", session);
     const std::optional<Dialect> read = session.read(name);
     if (!read) return input_errors;
     Json out = describe(*read);
@@ -213,7 +226,10 @@ int InspectCommand::run() const {
     if (const std::optional<int> done = show_code(*linked, session)) return *done;
   const Json fields = describe_fields(session.library());
   for (const Json& f : fields)
-    if (f["Path"] == name) return show(f, nullptr, session);
+    if (f["Path"] == name) {
+      report_idle_dialect("a field, the same in every dialect", session);
+      return show(f, nullptr, session);
+    }
   const std::string near = nearest_name(name, names(session, fields));
   const std::string hint = near.empty() ? "" : "did you mean " + near + "?";
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -243,8 +259,7 @@ int inspect_command(const Arguments& arguments) {
               "Of a machine: run this program, and show which of its needs the machine answers (repeatable)")
       .type_name("PROGRAM");
   line.option("--section", command.section, "Print the section of the page that has this heading, alone")
-      .type_name("HEADING")
-      .not_empty();
+      .type_name("HEADING");
   line.flag("--json", command.json, "Write JSON");
   UntrustedOptions untrusted;
   untrusted.add_to(line);

@@ -62,14 +62,12 @@ int motions_command(const Arguments& arguments) {
       .one_of({"csv", "jsonl", "text"})
       .type_name("csv|jsonl|text")
       .shows_default();
-  bool json = false;
-  line.flag("--json", json, "The same as --format jsonl: one JSON object a line (schemas/motion.schema.json)");
+  line.flag_for("--format", command.format, "jsonl", "--json", ": one JSON object a line (schemas/motion.schema.json)");
   line.option("-o,--output", command.output, "Write to a file, which appears only when it is complete")
       .type_name("FILE");
   line.flag("--exact", command.exact, "Numbers that read back to the same value instead of 6 decimals");
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
-  if (json) command.format = "jsonl";
   return command.run();
 }
 

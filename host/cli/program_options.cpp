@@ -14,7 +14,8 @@ void ProgramOptions::add_to(CommandLine& line) {
   line.option("--variables", variables, "Table of variables: kept from another run, or known only on the machine")
       .type_name("FILE");
   line.option("--set", set, "One value of a table or dependency, e.g. IsoCoordinateTable.G54.Z=-120 (repeatable)")
-      .type_name("NAME=VALUE");
+      .type_name("NAME=VALUE")
+      .names_once();
   line.option("--block-skip", block_skip, "Layers of block skip that are on, e.g. 1,3 (default: none)")
       .type_name("LAYERS");
   line.flag("--optional-stop", optional_stop, "Switch the optional stop on");
@@ -50,13 +51,13 @@ void ProgramOptions::add_to(CommandLine& line) {
       .shows_default();
 }
 
-bool ProgramOptions::take_side(const std::string& own_dialect, const std::string& own_machine, Workspace& workspace) {
 std::vector<std::string> ProgramOptions::files() const {
   std::vector<std::string> out = {dialect, machine, offsets, tools, variables};
   out.insert(out.end(), subprograms.begin(), subprograms.end());
   return out;
 }
 
+bool ProgramOptions::take_side(const std::string& own_dialect, const std::string& own_machine, Workspace& workspace) {
   if (!own_machine.empty()) machine = own_machine;
   if (!own_dialect.empty()) dialect = own_dialect;
   if (machine.empty()) return true;
@@ -67,6 +68,28 @@ std::vector<std::string> ProgramOptions::files() const {
   else if (!own_dialect.empty())
     machine.clear();
   return true;
+}
+
+bool ProgramOptions::serves_a_side(const std::array<std::string, 2>& own_dialects,
+                                   const std::array<std::string, 2>& own_machines, Workspace& workspace) const {
+  if (dialect.empty() && machine.empty()) return true;
+  bool uses_dialect = false, uses_machine = false;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::string& named = own_machines[side].empty() ? machine : own_machines[side];
+    const std::optional<FoundMachine> found = named.empty() ? std::nullopt : workspace.find_machine(named);
+    if (!named.empty() && !found) return false;
+    const bool names_dialect = found && !found->is_tables;
+    uses_dialect = uses_dialect || (own_dialects[side].empty() && (own_machines[side].empty() || !names_dialect));
+    uses_machine = uses_machine || (own_machines[side].empty() && (own_dialects[side].empty() || !names_dialect));
+  }
+  const auto refuse = [&](const std::string& option) {
+    workspace.report(
+        "IG-0513", {},
+        {option + " has no effect: each side has a dialect or a machine of its own; leave " + option + " out"});
+    return false;
+  };
+  if (!dialect.empty() && !uses_dialect) return refuse("-d");
+  return machine.empty() || uses_machine || refuse("-m");
 }
 
 }  // namespace isogloss::cli

@@ -212,11 +212,11 @@ void add_to(CommandLine& line, BatchArguments& a) {
   line.option("--exclude", a.places.exclude, "Of the folders no files like this (repeatable)").type_name("PATTERN");
   line.option("-o,--output", a.output, "Folder for the results; what is finished there is not run again")
       .type_name("FOLDER")
-      .required()
-      .not_empty();
+      .required();
   line.option("-j,--jobs", a.jobs, "Programs at once (0: as many as there are processors)")
       .type_name("N")
-      .shows_default();
+      .shows_default()
+      .not_with("--merge");
   line.option("--shard", a.shard_text, "Run only part I of N, e.g. 2/8; results are written by --merge")
       .type_name("I/N");
   line.option("--slurm", a.slurm_parts,
@@ -224,14 +224,17 @@ void add_to(CommandLine& line, BatchArguments& a) {
       .at_least(0)
       .type_name("N");
   line.option("--slurm-options", a.slurm_options, "For both jobs, e.g. '--partition=night --time=8:00:00'")
-      .type_name("TEXT");
-  line.flag("--no-submit", a.holds_back, "With --slurm: write the scripts, and submit nothing");
+      .type_name("TEXT")
+      .only_with("--slurm");
+  line.flag("--no-submit", a.holds_back, "With --slurm: write the scripts, and submit nothing").only_with("--slurm");
   line.flag("--merge", a.merges, "Run nothing: write the results of all parts");
   line.option("--changed-since", a.changed_since,
               "Folder of an earlier batch: programs whose text, called programs, tables, dialect and plugins have not "
               "changed since then keep their results (repeatable)")
-      .type_name("FOLDER");
-  line.flag("--retry", a.retries, "Run again what crashed, ran out of time or memory, or could not run");
+      .type_name("FOLDER")
+      .not_with("--merge");
+  line.flag("--retry", a.retries, "Run again what crashed, ran out of time or memory, or could not run")
+      .not_with("--merge");
   line.option("--max-time", a.maximum_seconds, "Stop a program that takes longer (0: never)")
       .type_name("SECONDS")
       .shows_default();
@@ -275,13 +278,13 @@ int batch_command(const Arguments& arguments) {
     session.report("IG-0513", {}, {"batch needs programs: a folder, files, or --list FILE"});
     return cannot_start;
   }
-  if (request.slurm_parts != 0) {
-    const bool is_piped = request.places.list == "-";
-    if (request.merges || !request.shard_text.empty() || is_piped) {
   std::vector<std::string> inputs = request.program.files();
   inputs.insert(inputs.end(), request.places.places.begin(), request.places.places.end());
   inputs.push_back(request.places.list);
   if (!are_apart(inputs, {request.common.diagnostics_output}, session)) return cannot_start;
+  if (request.slurm_parts != 0) {
+    const bool is_piped = request.places.list == "-";
+    if (request.merges || !request.shard_text.empty() || is_piped) {
       session.report("IG-0513", {},
                      {is_piped ? "the parts of --slurm cannot read standard input: --list needs a file"
                                : "--slurm makes parts and merges them: leave --shard and --merge out"});

@@ -14,11 +14,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool matches(const std::vector<std::string>& patterns, const fs::path& below) {
-  return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-    return fnmatch(pattern.c_str(), below.c_str(), 0) == 0 ||
-           fnmatch(pattern.c_str(), below.filename().c_str(), 0) == 0;
-  });
+bool matches(const std::vector<std::string>& patterns, const fs::path& below, ProgramList& out) {
+  bool matches_any = false;
+  for (const std::string& pattern : patterns) {
+    if (fnmatch(pattern.c_str(), below.c_str(), 0) != 0 && fnmatch(pattern.c_str(), below.filename().c_str(), 0) != 0)
+      continue;
+    out.used_patterns.insert(pattern);
+    matches_any = true;
+  }
+  return matches_any;
 }
 
 std::string head_of(const fs::path& file) {
@@ -55,10 +59,13 @@ bool is_list(const std::string& place) {
          !fs::equivalent(std::string(line), place, ignored);
 }
 
-bool is_program(const fs::directory_entry& entry, const fs::path& below, const ProgramPlaces& wanted) {
+bool is_program(const fs::directory_entry& entry, const fs::path& below, const ProgramPlaces& wanted,
+                ProgramList& out) {
   std::error_code ignored;
-  if (entry.is_symlink(ignored) || !entry.is_regular_file(ignored) || matches(wanted.exclude, below)) return false;
-  return wanted.include.empty() ? is_text_of_program(entry.path()) : matches(wanted.include, below);
+  if (entry.is_symlink(ignored) || !entry.is_regular_file(ignored)) return false;
+  const bool is_included = wanted.include.empty() || matches(wanted.include, below, out);
+  if (matches(wanted.exclude, below, out) || !is_included) return false;
+  return !wanted.include.empty() || is_text_of_program(entry.path());
 }
 
 void add_folder(const fs::path& folder, const fs::path& below, const ProgramPlaces& wanted, ProgramList& out,
@@ -70,7 +77,7 @@ void add_folder(const fs::path& folder, const fs::path& below, const ProgramPlac
     const bool is_hidden = name.string().starts_with('.');
     if (!is_hidden && at->is_directory(ignored) && !at->is_symlink(ignored))
       add_folder(at->path(), below / name, wanted, out, session);
-    else if (!is_hidden && is_program(*at, below / name, wanted))
+    else if (!is_hidden && is_program(*at, below / name, wanted, out))
       out.programs.push_back(at->path().lexically_normal().string());
     else
       ++out.left_out;
@@ -91,6 +98,7 @@ bool add_place(const std::string& place, const ProgramPlaces& wanted, ProgramLis
     session.report("IG-0513", {}, {"the results need a folder of their own, and " + place + " holds the programs"});
     return false;
   } else {
+    out.has_folders = true;
     add_folder(fs::path(place).lexically_normal(), {}, wanted, out, session);
   }
   return true;
@@ -119,6 +127,23 @@ bool add_list(const std::string& list, const ProgramPlaces& wanted, ProgramList&
   return sound;
 }
 
+/// False where there is no folder for --include and --exclude; a pattern that fits nothing there may do so another
+/// time.
+bool have_effect(const ProgramPlaces& wanted, const ProgramList& list, Session& session) {
+  for (const auto& [option, patterns] :
+       {std::pair{"--include", &wanted.include}, std::pair{"--exclude", &wanted.exclude}})
+    for (const std::string& pattern : *patterns) {
+      if (!list.has_folders) {
+        session.report("IG-0513", {},
+                       {std::string(option) + " has no effect: it chooses files of folders, and only files are named"});
+        return false;
+      }
+      if (!list.used_patterns.contains(pattern))
+        session.report("IG-0519", {}, {option + (" " + pattern), "no file of the folders has such a name or path"});
+    }
+  return true;
+}
+
 }  // namespace
 
 std::optional<ProgramList> list_programs(const ProgramPlaces& wanted, Session& session) {
@@ -133,6 +158,7 @@ std::optional<ProgramList> list_programs(const ProgramPlaces& wanted, Session& s
   if (!wanted.list.empty()) sound = add_list(wanted.list, wanted, out, session) && sound;
   std::sort(out.programs.begin(), out.programs.end());
   out.programs.erase(std::unique(out.programs.begin(), out.programs.end()), out.programs.end());
+  sound = sound && have_effect(wanted, out, session);
   if (sound && out.programs.empty()) session.report("IG-0670", {}, {std::to_string(out.left_out)});
   return sound && !out.programs.empty() ? std::optional(std::move(out)) : std::nullopt;
 }

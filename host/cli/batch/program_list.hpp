@@ -1,6 +1,7 @@
 /// Which programs a batch runs.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,13 @@ struct ProgramPlaces {
 struct ProgramList {
   std::vector<std::string> programs;  ///< sorted by name, each once
   std::uint64_t left_out = 0;         ///< entries of the folders that are no programs
+  bool has_folders = false;
+  std::set<std::string> used_patterns;  ///< of --include and --exclude
 };
 
 /// Files and folders whose names begin with a dot, XML files, files with NUL bytes at their head, links, pipes and the
-/// like are no programs. A folder that cannot be read is reported, and the others are. Empty, and reported, when a
-/// place does not exist or nothing is left.
+/// like are no programs. A folder that cannot be read is reported, and the others are; so is a pattern that fits
+/// nothing. Empty, and reported, when a place does not exist, nothing is left, or there is no folder for the patterns.
 std::optional<ProgramList> list_programs(const ProgramPlaces& wanted, Session& session);
 
 /// Part `number` of `count`, counted from 1: the programs are dealt out by their names, so every part knows its own.

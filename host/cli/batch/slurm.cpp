@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -22,18 +23,30 @@ std::string quoted(const std::string& word) {
   return out + "'";
 }
 
-/// What the batch was given, without what makes it submit itself.
-std::string command_of(const BatchArguments& arguments) {
+enum class Job : std::uint8_t { part, merge };
+
+/// What the batch was given, without what makes it submit itself; the job that merges runs nothing.
+std::string command_of(const BatchArguments& arguments, Job job) {
   std::error_code error;
   const fs::path command = fs::read_symlink("/proc/self/exe", error);
   std::string out = quoted((error ? folder_of_executable() / "isogloss" : command).string()) + " batch";
+  std::vector<std::string> flags{"--no-submit"}, options{"--slurm", "--slurm-options"};
+  if (job == Job::merge) {
+    flags.emplace_back("--retry");
+    options.insert(options.end(), {"-j", "--jobs", "--changed-since"});
+  }
+  const auto is_one_of = [](const std::vector<std::string>& names, const std::string& word) {
+    return std::find(names.begin(), names.end(), word) != names.end();
+  };
   for (std::size_t i = 0; i < arguments.given.size(); ++i) {
     const std::string& word = arguments.given[i];
-    if (word == "--slurm" || word == "--slurm-options") {
+    const bool holds_value = std::any_of(options.begin(), options.end(), [&](const std::string& name) {
+      return word.starts_with(name.starts_with("--") ? name + "=" : name);
+    });
+    if (is_one_of(options, word))
       ++i;
-    } else if (word != "--no-submit" && !word.starts_with("--slurm=") && !word.starts_with("--slurm-options=")) {
+    else if (!holds_value && !is_one_of(flags, word))
       out += " " + quoted(word);
-    }
   }
   return out;
 }
@@ -46,12 +59,12 @@ std::string log_name(const fs::path& folder, const std::string& name) {
 }
 
 std::string script(const BatchArguments& arguments, const fs::path& here, const fs::path& folder,
-                   const std::string& log, const std::string& head, const std::string& more) {
+                   const std::string& log, const std::string& head, Job job, const std::string& more) {
   return fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=isogloss\n#SBATCH --output=\"{}\"\n#SBATCH --open-mode=append\n{}{}cd {} || exit "
       "2\nexec {} {}\n",
       log_name(folder, log), head, arguments.slurm_options.empty() ? "" : "#SBATCH " + arguments.slurm_options + "\n",
-      quoted(here.string()), command_of(arguments), more);
+      quoted(here.string()), command_of(arguments, job), more);
 }
 
 /// The number of the job that sbatch has made: a line of digits, with the cluster's name behind a semicolon, beside
@@ -99,10 +112,10 @@ int run_on_slurm(const BatchArguments& arguments, Session& session) {
   const std::uint32_t count = arguments.slurm_parts;
   if (!write_file(parts,
                   script(arguments, here, folder, "part-%a.log",
-                         fmt::format("#SBATCH --array=1-{}\n#SBATCH --requeue\n", count),
+                         fmt::format("#SBATCH --array=1-{}\n#SBATCH --requeue\n", count), Job::part,
                          fmt::format("--shard \"$SLURM_ARRAY_TASK_ID/{}\"", count)),
                   session) ||
-      !write_file(merge, script(arguments, here, folder, "merge.log", "", "--merge"), session))
+      !write_file(merge, script(arguments, here, folder, "merge.log", "", Job::merge, "--merge"), session))
     return cannot_start;
   if (arguments.holds_back) {
     std::fputs(fmt::format("sbatch {}, and behind it sbatch --dependency=afterany:JOB {}\n", parts, merge).c_str(),

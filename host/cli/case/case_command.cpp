@@ -149,16 +149,13 @@ int case_command(const Arguments& arguments) {
       .one_of({"text", "json", "junit"})
       .type_name("text|json|junit")
       .shows_default();
-  bool json = false, junit = false;
-  line.flag("--json", json, "The same as --format json");
-  line.flag("--junit", junit, "The same as --format junit");
+  line.flag_for("--format", command.format, "json", "--json");
+  line.flag_for("--format", command.format, "junit", "--junit");
   command.around.add_to(line);
   UntrustedOptions untrusted;
   untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
-  if (json) command.format = "json";
-  if (junit) command.format = "junit";
   UntrustedWork work = untrusted_work(command.common, command.around.dialect, command.around.machine);
   work.programs = command.files;
   if (const auto done = enter_untrusted(untrusted, work)) return *done;

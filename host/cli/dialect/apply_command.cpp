@@ -31,6 +31,9 @@ int ApplyCommand::run() const {
   const std::optional<Surroundings> surroundings = around.make(session);
   if (!surroundings) return cannot_start;
   Application application{syntax, {}, {}, {}, {"standard input", 1, 0}};
+  application.previous_at = {previous, 1, 0};
+  application.ahead_at = {ahead, 1, 0};
+  application.dependencies_at = {dependencies, 1, 0};
   std::string error;
   const auto read = [&](const std::string& path) {
     std::optional<std::string> text = read_text(path, error);
@@ -40,9 +43,6 @@ int ApplyCommand::run() const {
   if (!previous.empty()) {
     application.previous = read(previous);
     if (!application.previous) return cannot_start;
-  application.previous_at = {previous, 1, 0};
-  application.ahead_at = {ahead, 1, 0};
-  application.dependencies_at = {dependencies, 1, 0};
   }
   if (!ahead.empty()) {
     application.ahead = read(ahead);

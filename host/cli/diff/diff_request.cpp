@@ -16,7 +16,7 @@ void DiffRequest::add_to(CommandLine& line) {
   for (std::size_t side = 0; side < 2; ++side) {
     line.option(names[side][0], dialects[side], names[side][3]).type_name("DIALECT").group("Two sides");
     line.option(names[side][1], machines[side], names[side][4]).type_name("MACHINE").group("Two sides");
-    line.option(names[side][2], sets[side], names[side][5]).type_name("NAME=VALUE").group("Two sides");
+    line.option(names[side][2], sets[side], names[side][5]).type_name("NAME=VALUE").names_once().group("Two sides");
   }
   line.option("--against", against, "The program of side B, where PROGRAM is that of side A alone")
       .type_name("FILE")
@@ -27,7 +27,8 @@ void DiffRequest::add_to(CommandLine& line) {
               "0.01,0.05 (default: 0.000001)")
       .type_name("MM[,DEG]");
   line.option("--ignore", ignored, "Do not compare this field or section, e.g. Comment or Source.N (repeatable)")
-      .type_name("FIELD");
+      .type_name("FIELD")
+      .not_with("--motions");
   line.flag("--all", all, "List every block that differs, after the causes");
   line.flag("--json", json, "Write JSON");
   line.option("--html", page, "Write a page that shows all of it, too").type_name("FILE");
@@ -69,6 +70,7 @@ bool DiffRequest::read_operands(Session& session) {
     session.report("IG-0185", {}, {}, "isogloss diff -a fanuc -b syntec part.nc");
     return false;
   }
+  if (!program.serves_a_side(dialects, machines, session)) return false;
   if (second_ == "-" && programs.front() == "-") {
     session.report("IG-0513", {}, {"standard input is one program: the other needs a file"});
     return false;

@@ -87,6 +87,7 @@ int ExplainCommand::explain_lines(Session& session, const NamedLines& lines) {
   if (dialect->empty()) dialect = guessed(path, source->head(), session);
   const std::unique_ptr<LinkedDialect> linked = dialect ? session.link(*dialect, options->chain.dependencies) : nullptr;
   if (linked == nullptr) return cannot_start;
+  report_short_file(lines, target.file.empty() ? path : target.file, session);
   add_program_places(path, linked->dialect, *options);
   watch_calls(program.watchdog);
   show_progress(*options, path, session);
@@ -128,15 +129,16 @@ int explain_command(const Arguments& arguments) {
   line.option("--pass", command.target.pass, "Which pass, for a line that runs several times")
       .at_least(1)
       .type_name("N")
-      .shows_default();
-  line.flag("--brief", command.brief, "One sentence for each block, and nothing else");
+      .shows_default()
+      .not_with("--field");
+  line.flag("--brief", command.brief, "One sentence for each block, and nothing else").not_with("--field");
   line.flag("--all", command.all,
             "Also the values that were carried into the block and those after it, each call, and the syntaxes that "
-            "slept");
+            "slept")
+      .not_with("--field");
   line.option("--field", command.field,
               "Follow a field or section through PROGRAM: each change with its line, its value and who set it")
-      .type_name("FIELD")
-      .not_empty();
+      .type_name("FIELD");
   line.flag("--json", command.json,
             "Write JSON, as schemas/explain.schema.json, or explain-field.schema.json, describes it");
   command.program.add_to(line);
@@ -144,6 +146,14 @@ int explain_command(const Arguments& arguments) {
   untrusted.add_to(line);
   command.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
+  const std::vector<std::string> of_programs = line.given_besides("Common", {"--json", "--untrusted", "--max-time"});
+  if (is_code(command.what) && !of_programs.empty()) {
+    Session(command.common)
+        .report("IG-0513", {},
+                {of_programs.front() + " has no effect: " + command.what +
+                 " is the code of a diagnostic, which is explained without a program"});
+    return cannot_start;
+  }
   UntrustedWork work = untrusted_work(command.common, command.program);
   work.programs.push_back(program_of_lines(command.what));
   work.reads.push_back(command.target.file);

@@ -64,9 +64,16 @@ std::optional<NamedLines> read_lines(const std::string& text, Lines lines, Works
   return std::nullopt;
 }
 
+void report_short_file(const NamedLines& lines, const std::string& file, Workspace& workspace) {
+  const std::uint32_t has = look_up(file, lines.last).lines;
+  if (has >= lines.first && has < lines.last)
+    workspace.report("IG-0521", {file, has, 0}, {std::to_string(lines.last), std::to_string(has)});
+}
+
 std::string why_no_block(const ExplainReach& reach, const ExplainTarget& target, const std::string& path) {
   if (reach.passes > 0 && reach.passes < target.pass)
-    return fmt::format("the run comes to this line {} times", reach.passes);
+    return reach.passes == 1 ? "the run comes to this line once"
+                             : fmt::format("the run comes to this line {} times", reach.passes);
   if (const LineInFile line = look_up(target.file.empty() ? path : std::string(), target.line); line.lines > 0) {
     if (line.lines < target.line) return fmt::format("the file has {} lines", line.lines);
     if (line.is_empty && target.last() == target.line) return "the line is empty";

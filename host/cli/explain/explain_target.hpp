@@ -18,6 +18,9 @@ struct NamedLines {
 enum class Lines { needed, optional };
 std::optional<NamedLines> read_lines(const std::string& text, Lines lines, Workspace& workspace);
 
+/// A file of fewer lines than the range is reported: what is not there is not explained.
+void report_short_file(const NamedLines& lines, const std::string& file, Workspace& workspace);
+
 std::string why_no_block(const ExplainReach& reach, const ExplainTarget& target, const std::string& path);
 
 }  // namespace isogloss::cli

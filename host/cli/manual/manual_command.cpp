@@ -174,7 +174,7 @@ int manual_command(const Arguments& arguments) {
   std::string name, folder;
   bool json = false;
   line.option("COMMAND", name, "The command; without it the page that lists them").one_of(names);
-  line.option("-o,--output", folder, "Write all pages into this folder instead").type_name("DIR");
+  line.option("-o,--output", folder, "Write all pages into this folder instead").type_name("DIR").not_with("COMMAND");
   line.flag("--json", json, "Write JSON (schemas/manual.schema.json): options and operands of the command, or of all");
   if (const auto done = line.parse(arguments)) return *done;
   if (json && !folder.empty()) {

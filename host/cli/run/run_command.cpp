@@ -78,6 +78,7 @@ void RunCommand::report_idle_options(const CommandLine& line, Session& session) 
   tell("--header", emit == "motions" && format == "jsonl", "only motions as JSON Lines begin with one");
   tell("--exact", has_moves && format != "binary", "these numbers are always exact");
   tell("--zero-moves", has_moves, "blocks are written whether they move or not");
+  tell("--max-output", !is_empty || summary, "");
   tell("--frame", emit == "canonical", "only the canonical program has one");
   tell("--tolerance", emit == "canonical", "only the canonical program has one");
 }

@@ -58,7 +58,10 @@ int dispatch(Arguments arguments) {
   }
   const std::string name = arguments[at];
   arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(at));
-  if (name == "help") return print(fitted(usage(), columns_of(STDOUT_FILENO)), success);
+  if (name == "help") {
+    if (at >= arguments.size()) return print(fitted(usage(), columns_of(STDOUT_FILENO)), success);
+    return dispatch({arguments[at], "--help"});
+  }
   std::vector<std::string> names;
   for (const Command& c : commands) {
     if (c.name == name) return c.run(arguments);

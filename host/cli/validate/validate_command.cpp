@@ -186,48 +186,58 @@ int validate_command(const Arguments& arguments) {
   line.option("PLUGIN", command.files, "Files of plugins");
   line.flag("--list", command.lists, "List the checks with their levels (with --json also what to do when one fails)");
   line.option("--only", command.only, "Run this check alone (repeatable)").type_name("CHECK");
-  line.flag("--strict", command.is_strict, "Exit status 1 when a should-check fails, too");
+  line.flag("--strict", command.is_strict, "Exit status 1 when a should-check fails, too").not_with("--list");
   line.option("--format", command.format, "Form of the result")
       .one_of({"text", "json", "junit", "sarif"})
       .type_name("text|json|junit|sarif")
       .shows_default();
-  bool json = false;
-  line.flag("--json", json, "The same as --format json");
+  line.flag_for("--format", command.format, "json", "--json");
   line.option("--pages", options.pages, "Take pages and cases from this folder in place of those in the plugin")
       .type_name("DIR")
-      .existing_folder();
+      .existing_folder()
+      .not_with("--list");
   line.option("-d,--dialect", options.dialect,
               "Take vocabulary, options and dependencies from this dialect (default: as `isogloss case`)")
-      .type_name("DIALECT");
-  line.option("--seed", options.seed, "Seed of the random blocks").type_name("N").shows_default();
+      .type_name("DIALECT")
+      .not_with("--list");
+  line.option("--seed", options.seed, "Seed of the random blocks").type_name("N").shows_default().not_with("--list");
   line.option("--blocks", options.blocks, "Random blocks of a plugin, spread over its syntaxes")
       .type_name("N")
-      .shows_default();
+      .shows_default()
+      .not_with("--list");
   line.option("--random-limit", options.random_limit, "End the random blocks of a plugin after this time")
       .type_name("S")
       .at_least(1)
-      .shows_default();
+      .shows_default()
+      .not_with("--list");
   line.option("-j,--jobs", command.jobs,
               "Checks at once (0: as many as there are processors); those of times are alone")
       .type_name("N")
-      .shows_default();
-  line.option("--budget", options.budget, "Budget of one build").type_name("NS").shows_default();
+      .shows_default()
+      .not_with("--list")
+      .not_with("--in-process");
+  line.option("--budget", options.budget, "Budget of one build").type_name("NS").shows_default().not_with("--list");
   line.option("--time-limit", options.time_limit, "End a check after this time")
       .type_name("S")
       .at_least(1)
-      .shows_default();
+      .shows_default()
+      .not_with("--list")
+      .not_with("--in-process");
   line.option("--memory-limit", options.memory_limit, "Memory of a check")
       .type_name("MIB")
       .at_least(64)
-      .shows_default();
+      .shows_default()
+      .not_with("--list")
+      .not_with("--in-process");
   line.option("--call-limit", options.call_limit, "End a check whose plugin does not return for this time")
       .type_name("S")
       .at_least(1)
-      .shows_default();
-  line.flag("--in-process", command.in_process, "No child processes and no limits: for a debugger");
+      .shows_default()
+      .not_with("--list")
+      .not_with("--in-process");
+  line.flag("--in-process", command.in_process, "No child processes and no limits: for a debugger").not_with("--list");
   options.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
-  if (json) command.format = "json";
   return command.run();
 }
 

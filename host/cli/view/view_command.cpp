@@ -70,7 +70,7 @@ bool ViewCommand::is_usage_sound(Session& session) const {
   if (serve && untrusted.on) fault = "--untrusted writes a page: the server of --serve needs what it forbids";
   if (!serve && port != 0) fault = "--port belongs to --serve";
   if (port > last_port) fault = "--port must be 0 to 65535, not " + std::to_string(port);
-  if (fault.empty()) return true;
+  if (fault.empty()) return view.program.serves_a_side(view.dialects, view.machines, session);
   session.report("IG-0513", {}, {fault});
   return false;
 }

@@ -209,8 +209,13 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "At least three of four blocks have an error. `isogloss list dialects` names the dialects, `-d` picks one.",
        "isogloss run README.md"},
       {warning, "IG-0519", "{0} has no effect: {1}",
-       "The output that was chosen has no use for the option. Leave it out, or choose another output.",
+       "The output that was chosen, the rest of the command line or the files have no use for the option. Leave it "
+       "out, or "
+       "choose another output.",
        "isogloss run part.nc --emit none --format csv"},
+      {note, "IG-0521", "the range goes to line {0}, but the file has {1} lines",
+       "A range names its first line and its last one; lines that the file does not have are not explained.",
+       "isogloss explain part.nc:10-99999"},
 
       // pictures: 0650-0659
       {warning, "IG-0650", "the picture ends after {0} moves: --max-moves sets another limit",
