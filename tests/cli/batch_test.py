@@ -372,7 +372,7 @@ class Batch(unittest.TestCase):
         self.write("a.nc", GOOD)
         self.write("b.nc", GOOD)
         list_file = self.path / "list.txt"
-        list_file.write_text("archive/b.nc\r\n\narchive/b.nc\n")
+        list_file.write_text("\ufeffarchive/b.nc\r\n\narchive/b.nc\n", encoding="utf-8")
         self.batch("--list", "list.txt", places=())
         self.assertEqual(list(self.results()), ["b.nc"])
         list_file.write_text("archive/b.nc\narchive/none.nc\n")
@@ -429,6 +429,11 @@ class Batch(unittest.TestCase):
         self.batch(out="whole")
         self.assertIn("sbatch", self.batch("--slurm", "2", "--no-submit", "--slurm-options", "--partition=it's").stderr)
         self.assertIn("#SBATCH --partition=it's\n", (self.path / "out/slurm/parts.sh").read_text())
+        own = ("--retry", "-j1", "--changed-since", "whole")  # of the parts; the job that merges runs nothing
+        self.batch("--slurm", "2", "--no-submit", *own, out="other")
+        for word in ("--retry", "-j1", "--changed-since", "whole"):
+            self.assertIn(f"'{word}'", (self.path / "other/slurm/parts.sh").read_text())
+            self.assertNotIn(f"'{word}'", (self.path / "other/slurm/merge.sh").read_text())
         # In place of the real sbatch: it runs all parts at once and refuses nothing.
         tool = self.path / "bin/sbatch"
         tool.parent.mkdir()

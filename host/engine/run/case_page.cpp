@@ -19,6 +19,8 @@ class PageReader {
   PageReader(const std::string& file, DiagnosticSink& sink) : file_(file), sink_(sink) {}
 
   Page read(std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
     while (!text.empty()) {
       const std::size_t end = text.find('\n');
       line(text.substr(0, end));
