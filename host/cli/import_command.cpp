@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "crash_guard.hpp"
@@ -107,10 +108,10 @@ int ImportCommand::run() const {
   for (const DependencyElement& table : machine.dependencies) rows += table.rows.size();
   const int status = write_output(write_tables(machine.dependencies, true), path, session);
   const Writing writing;
-  fmt::print(stderr, "{} rows of {} tables{}\n", rows, machine.dependencies.size(),
-             path.empty() ? ""
-                          : fmt::format(" in {}; a machine has them by <Include src=\"{}\"/>", path,
-                                        fs::path(path).filename().string()));
+  const std::string place = path.empty() ? ""
+                                         : fmt::format(" in {}; a machine has them by <Include src=\"{}\"/>", path,
+                                                       fs::path(path).filename().string());
+  std::fputs(fmt::format("{} rows of {} tables{}\n", rows, machine.dependencies.size(), place).c_str(), stderr);
   return status;
 }
 

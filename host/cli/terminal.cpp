@@ -146,7 +146,7 @@ void Progress::show(std::uint64_t done, std::uint64_t total, std::string_view wh
     line.resize(size);
   }
   const Writing writing;
-  fmt::print(stderr, "\r\033[K{}", line);
+  std::fputs(("\r\033[K" + line).c_str(), stderr);
   std::fflush(stderr);
   is_shown_ = true;
 }

@@ -164,6 +164,16 @@ class Outputs(Command):
             with open("/dev/full", "w", encoding="ascii") as full:
                 self.isogloss(*arguments, status=2, errors=full)
 
+    def test_a_reader_of_messages_that_went_away_is_no_fault(self):
+        (self.path / "wrong.nc").write_text("G21\nG200 X1.\nG0 X5.\nM30\n")
+        (self.path / "TOOL.T").write_text("BEGIN TOOL.T MM\nT NAME L R\n1 MILL +10 +5\n[END]\n")
+        for arguments, status in ((("run", "wrong.nc", "-d", "fanuc"), 1), (("import", "TOOL.T"), 0),
+                                  (("new", "dialect", "acme"), 0), (("batch", "archive", "-d", "fanuc", "-o", "out"), 0)):
+            read_end, write_end = os.pipe()
+            os.close(read_end)
+            self.isogloss(*arguments, status=status, errors=write_end)
+            os.close(write_end)
+
     def test_a_closed_standard_stream_does_not_become_the_output(self):
         (self.path / "wrong.nc").write_text("G21\nG200 X1.\nG0 X5.\nM30\n")
         run = f"'{OPTIONS.isogloss}' run wrong.nc -d fanuc --format csv"

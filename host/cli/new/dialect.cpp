@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <ctime>
 
 #include "markup.hpp"
@@ -60,7 +61,9 @@ int NewFolder::write(const std::vector<std::string>& layers) {
   const std::vector<std::string> written = write_templates(place_, layers, words_, session_);
   if (written.empty()) return cannot_start;
   const std::string where = place_.string();
-  fmt::print(stderr, "next: cd {} && cmake -S . -B build && cmake --build build && ctest --test-dir build\n", where);
+  const std::string next =
+      "next: cd " + where + " && cmake -S . -B build && cmake --build build && ctest --test-dir build\n";
+  std::fputs(next.c_str(), stderr);
   return print_written(options_, place_, written, session_);
 }
 

@@ -117,7 +117,7 @@ int new_machine(const NewOptions& options) {
     const bool is_folder = fs::is_directory(from, error);
     if (!error) fs::copy(from, is_folder ? to : to / from.filename(), fs::copy_options::recursive, error);
     if (!error) continue;
-    session.report("IG-0510", {backup}, {error.message()});
+    session.report("IG-0511", {to.string()}, {backup + " cannot be copied there: " + error.message()});
     return cannot_start;
   }
   const std::string path = (place / "machine.xml").string();
