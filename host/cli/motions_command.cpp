@@ -39,9 +39,10 @@ int MotionsCommand::run() const {
   options.format = format == "jsonl" ? Format::jsonl : format == "text" ? Format::text : Format::csv;
   options.exact = exact;
   convert_motions(*source, stream, *file, options, session.diagnostics());
-  // Half a table shall not replace a whole one.
+  // Half a table shall not replace a whole one, and what is no stream makes no table, either.
   const bool is_file = !output.empty() && output != "-";
-  if (is_file && session.diagnostics().errors() > 0) return session.status();
+  const bool is_no_stream = session.diagnostics().by_code().contains("IG-0640");
+  if ((is_file || is_no_stream) && session.diagnostics().errors() > 0) return session.status();
   if (file->commit() || file->reader_is_gone()) return session.status();
   session.report("IG-0511", {output.empty() ? "standard output" : output}, {file->error()});
   return cannot_start;

@@ -128,6 +128,11 @@ class IdleOptions(Command):
         self.assertEqual(self.isogloss("help", "run").stdout, self.isogloss("run", "--help").stdout)
         self.isogloss("help", "runn", status=2)
 
+    def test_what_is_no_stream_makes_no_table(self):
+        done = self.isogloss("motions", "part.nc", status=1)
+        self.assertEqual(done.stdout, "")
+        self.assertIn("[IG-0640]", done.stderr)
+
     def test_patterns_that_choose_nothing_are_told(self):
         done = self.isogloss("batch", "archive/part.nc", "--exclude", "*.txt", "-d", "fanuc", "-o", "out", status=2)
         self.assertIn("--exclude has no effect", done.stderr)

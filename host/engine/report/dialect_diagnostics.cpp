@@ -260,7 +260,7 @@ std::vector<DiagnosticInfo> dialect_diagnostics() {
        "With --motions, positions that are not farther apart than this are the same: lengths in mm, angles in degrees. "
        "One number holds for both.",
        "isogloss diff --motions --tolerance -1 old.nc new.nc"},
-      {note, "IG-0187", "both sides report the same {0} errors: what follows them may be wrong on both",
+      {note, "IG-0187", "both sides report the same errors (count: {0}): what follows them may be wrong on both",
        "`isogloss diff` shows what only one side reports. Errors that both sides report alike are no difference, but "
        "the values behind them cannot be trusted on either side.",
        "isogloss diff -a iso -b mine.xml broken.nc"},
