@@ -91,11 +91,13 @@ Session::Session(const CommonOptions& options)
     report("IG-0511", {diagnostics_output_}, {error});
   }
   if (folder_of_executable().empty()) report("IG-0610", {}, {"plugins and dialects"});
-  for (const auto& [option, folders] :
-       {std::pair{"--plugins", &options.plugins}, std::pair{"--dialects", &options.dialects},
-        std::pair{"--machines", &options.machines}})
-    for (const std::string& folder : *folders)
-      if (std::error_code ignored; !fs::is_directory(folder, ignored)) report("IG-0612", {}, {option, folder});
+  if (!options.tells_missing_folders) return;
+  for (const std::vector<Place>* const places : {&plugin_places(), &dialect_places(), &machine_places()})
+    for (const Place& place : *places) {
+      const bool is_asked_for = place.named_by.starts_with("--") || place.named_by.starts_with("ISOGLOSS_");
+      if (std::error_code ignored; is_asked_for && !fs::is_directory(place.folder, ignored))
+        report("IG-0612", {}, {place.named_by, place.folder.string()});
+    }
 }
 
 Session::~Session() {

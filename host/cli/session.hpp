@@ -22,6 +22,7 @@ struct CommonOptions {
   static constexpr std::uint64_t many_errors = 100'000;
   std::uint64_t maximum_errors = many_errors;
   bool warnings_are_errors = false, any_plugins = false;
+  bool tells_missing_folders = true;  ///< not in a process whose parent has told of them
 
   void add_to(CommandLine& line);
 };

@@ -413,6 +413,13 @@ class OddFiles(Command):
             self.assertEqual(done.stderr.count("IG-0612"), 1)
             done = self.run_it("run", self.program, "-d", "fanuc", "--emit", "none", option, self.path)
             self.assertNotIn("IG-0612", done.stderr)
+        for variable in ("ISOGLOSS_PLUGIN_PATH", "ISOGLOSS_DIALECT_PATH", "ISOGLOSS_MACHINES"):
+            for command in (("run", self.program, "--emit", "none"), ("batch", self.program, "-o", "out-" + variable)):
+                done = self.run_it(*command, "-d", "fanuc", env={variable: f"{self.path}:/misspelt"})
+                self.assertIn(f"warning: {variable} names /misspelt, which is no folder", done.stderr)
+                self.assertEqual(done.stderr.count("IG-0612"), 1)
+            result = json.loads((self.path / ("out-" + variable) / "results.jsonl").read_text())
+            self.assertNotIn("IG-0612", json.dumps(result))
 
     def test_an_option_that_the_output_has_no_use_for_is_told(self):
         def told(*options):

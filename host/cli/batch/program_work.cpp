@@ -70,13 +70,7 @@ int do_work(const BatchArguments& arguments) {
   request.common = arguments.common;
   request.common.diagnostics = "json";
   request.common.diagnostics_output.clear();
-  // The batch has told once which folders are not there.
-  for (std::vector<std::string>* const folders :
-       {&request.common.plugins, &request.common.dialects, &request.common.machines})
-    std::erase_if(*folders, [](const std::string& folder) {
-      std::error_code ignored;
-      return !std::filesystem::is_directory(folder, ignored);
-    });
+  request.common.tells_missing_folders = false;
   request.program = arguments.program;
   request.budgets = arguments.budgets;
   request.emit = "none";
