@@ -482,12 +482,10 @@ typedef struct ig_machine_kinematics_1 {
 /* Answers one number by name: isogloss.canned-cycle/1 (PeckRetractionDistance_mm, HighSpeedPeckRetraction_mm,
  * BoringReturnOverride_percent, ShiftDirectionX and so for Y and Z, RigidTapping, TappingSpindleStop, PeckTappingToR,
  * PeckTappingRetraction_mm, TappingExtractionOverride_percent), isogloss.coordinate-system/1 (RotationAngle_deg,
- * RotationIsIncremental, ResetCancelsLocalCoordinate),
- * isogloss.number-format/1 (CalculatorDecimalPoint, StartsInInch, LengthIncrement_mm, LengthIncrement_inch,
- * AngleIncrement_deg, and what F1 without a point means: FeedIncrement_mm and FeedIncrement_inch per minute,
- * RevolutionFeedIncrement_mm and RevolutionFeedIncrement_inch, InverseTimeIncrement per minute),
- * isogloss.motion/1 (ArcRadiusTolerance_mm, ScalingUnit, ScalingFactor, UnidirectionalOverrunX_mm and so for Y and Z).
- * 1, or 0 when it has no answer. */
+ * RotationIsIncremental, ResetCancelsLocalCoordinate), isogloss.number-format/1 (CalculatorDecimalPoint, StartsInInch,
+ * LengthIncrement_mm and _inch, AngleIncrement_deg; of F without a point FeedIncrement_mm and _inch,
+ * RevolutionFeedIncrement_mm and _inch, InverseTimeIncrement), isogloss.motion/1 (ArcRadiusTolerance_mm, ScalingUnit,
+ * ScalingFactor, UnidirectionalOverrunX_mm and so for Y and Z). 1, or 0 when it has no answer. */
 typedef struct ig_config_1 {
   uint32_t struct_size;
   uint32_t reserved;

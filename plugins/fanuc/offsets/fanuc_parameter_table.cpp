@@ -11,7 +11,8 @@ using namespace ig::cnc;
 namespace {
 
 constexpr std::string_view rotary_type = "1006", rollover_bits = "1008", increment_system = "1013", reset = "1202",
-                           feed_bits = "1403", revolution_feed_bits = "1405", rapid_rate = "1420", decimal_point = "3401", arc_tolerance = "3410", cycle_bits = "5101",
+                           feed_bits = "1403", revolution_feed_bits = "1405", rapid_rate = "1420",
+                           decimal_point = "3401", arc_tolerance = "3410", cycle_bits = "5101",
                            high_speed_peck = "5114", peck = "5115", shift_axis = "5148",
                            boring_return_override = "5149", tapping_bits = "5200", extraction_override = "5211",
                            peck_tapping = "5213", coordinate_bits = "5400", rotation_angle = "5410",

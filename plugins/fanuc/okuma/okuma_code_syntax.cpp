@@ -34,10 +34,10 @@ struct OkumaCode {
   ig::Codes returns_{"M53", "M54"};
   ig::Codes to_limit_{{"M52"}, ig::read};  // ends M54; that the limit is higher is reported
   ig::Out<double> time_{"Dwell.Time"};
-  ig::Field<double> return_level_{"CannedCycle.ReturnLevel",
-                                  ig::read | ig::write,
-                                  {ig::Life::modal, "mm",
-                                   "Level to which the cycles return where the program names it."}};
+  ig::Field<double> return_level_{
+      "CannedCycle.ReturnLevel",
+      ig::read | ig::write,
+      {ig::Life::modal, "mm", "Level to which the cycles return where the program names it."}};
   ig::Out<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
   ig::Signal return_to_r_{"CannedCycle.~ReturnToR", ig::read | ig::write, ig::Life::modal};
   ig::Signal return_to_level_{"CannedCycle.~ReturnToNamedLevel", ig::read | ig::write, ig::Life::modal};

@@ -30,7 +30,8 @@ struct SpindleOrientation {
     if (angle_words_ == AngleWords::r || angle_words_ == AngleWords::r_or_p)
       if (const auto r = take(b, 'R')) angle = r;
     b.set(angle_, angle.value_or(default_angle_));
-    if (b.is_fresh(direction_) && !b.is(direction_, stop_)) b.report(ig::diag("ISO-0588"), ig::Where::word(m19_.code(0)));
+    if (b.is_fresh(direction_) && !b.is(direction_, stop_))
+      b.report(ig::diag("ISO-0588"), ig::Where::word(m19_.code(0)));
     b.set(direction_, stop_);
     return ig::Status::changed;
   }

@@ -50,8 +50,8 @@ struct IncrementalResolve {
   }
 
  private:
-  /// The pending change of the tool length in the frame of the block. In a rotated frame it leads along other axes, too,
-  /// which get a word where the block names none.
+  /// The pending change of the tool length in the frame of the block. In a rotated frame it leads along other axes,
+  /// too, which get a word where the block names none.
   ig::Vec3 travel(ig::Block& b) const {
     const auto from = b.to_program({}), to = b.to_program({0, 0, b.get_or(untravelled_, 0.0)});
     const ig::Vec3 way = from && to ? rounded(*to - *from) : ig::Vec3{0, 0, b.get_or(untravelled_, 0.0)};

@@ -15,7 +15,8 @@ struct ThreadCutting {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0391",
                      "G33 F{0}: the lead must be greater than zero, so the previous lead stays in force"),
-      ig::diagnostic(IG_WARNING, "ISO-0587", "F{0} belongs to G33, which another motion code replaces: F is not executed"),
+      ig::diagnostic(IG_WARNING, "ISO-0587",
+                     "F{0} belongs to G33, which another motion code replaces: F is not executed"),
   };
 
   ig::Call g33_{{"G33"}, "F[mm] Q[deg]"};

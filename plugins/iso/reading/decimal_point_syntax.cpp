@@ -120,9 +120,9 @@ struct DecimalPointSyntax {
     const auto axis = axes.find({&letter, 1});
     if (unit == "mm" && axis && is_further_axis(*axis) && axes.is_rotary(*axis)) return Quantity::angle;
     if (letter == 'P') return Quantity::other;  // an integer in every use: milliseconds, a count, a number
-    return unit == "mm"    ? Quantity::length
-           : unit == "deg" ? Quantity::angle
-           : unit == "s"   ? Quantity::time
+    return unit == "mm"                                       ? Quantity::length
+           : unit == "deg"                                    ? Quantity::angle
+           : unit == "s"                                      ? Quantity::time
            : unit == "mm/min" && feed_rule == Feed::parameter ? Quantity::feed
                                                               : Quantity::other;
   }

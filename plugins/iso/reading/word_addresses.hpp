@@ -16,7 +16,7 @@ class WordAddresses {
   enum Counts : std::uint8_t { counts_increments = 1, counts_feed = 2 };
   struct Address {
     ig_field field = IG_NO_FIELD;
-    bool may_lack_point = false;  ///< P, too: seconds or milliseconds on some controls
+    bool may_lack_point = false;     ///< P, too: seconds or milliseconds on some controls
     std::uint8_t without_point = 0;  ///< what a number without a point counts
   };
 

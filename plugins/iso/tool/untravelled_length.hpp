@@ -1,5 +1,5 @@
-/// A change of the tool length that no move has travelled yet: under G91 the next move along Z does, on controls where a
-/// new length is a move.
+/// A change of the tool length that no move has travelled yet: under G91 the next move along Z does, on controls where
+/// a new length is a move.
 #pragma once
 
 #include <isogloss/sdk.hpp>

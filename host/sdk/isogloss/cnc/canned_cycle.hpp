@@ -103,8 +103,9 @@ class CycleReturnLevel {
 
  private:
   In<double> initial_{"CannedCycle.InitialLevel"};
-  Field<double> named_{
-      "CannedCycle.ReturnLevel", read, {Life::modal, "mm", "Level to which the cycles return where the program names it."}};
+  Field<double> named_{"CannedCycle.ReturnLevel",
+                       read,
+                       {Life::modal, "mm", "Level to which the cycles return where the program names it."}};
   Signal is_named_{"CannedCycle.~ReturnToNamedLevel", read, Life::modal};
 };
 
