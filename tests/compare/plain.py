@@ -68,7 +68,7 @@ class PlainProgram:
         if self.feed and self.random.random() < 0.8:
             return ""
         self.feed = self.random.randrange(2, 40) if self.inch else self.random.randrange(50, 2000, 10)
-        return f"F{self.feed}"
+        return f"F{self.feed}" + ("." if self.inch else "")
 
     def axis_word(self, axis, target, delta, decimals=None):
         value = delta if self.incremental else target
@@ -326,7 +326,7 @@ class PlainProgram:
             else:
                 self.write(*self.hole_words(self.random.choice(("X", "Y", "XY"))), self.feed_word())
             if self.random.random() < 0.2:
-                self.write(self.random.choice(("M8", "M9", "F150", "G4 P200")))
+                self.write(self.random.choice(("M8", "M9", "F150.", "G4 P200")))
             if self.random.random() < 0.3 and cycle not in ("G73", "G83"):
                 r = round(r - abs(self.length(0.1, 1)), 4)
                 self.write(*self.hole_words("X"), "R" + self.number(r), "Z" + self.number(r - abs(self.length(2, 20))))

@@ -45,6 +45,7 @@ class Block:
     def __init__(self, text):
         text = re.sub(r"\([^)]*\)", " ", text)
         self.g, self.m, self.words = [], [], {}
+        self.has_bare_feed = False  # F without a point
         for letter, number in WORD.findall(text):
             if letter == "G":
                 self.g.append(Fraction(number))
@@ -52,6 +53,7 @@ class Block:
                 self.m.append(int(number))
             elif letter != "N":
                 self.words[letter] = Fraction(number)
+                self.has_bare_feed |= letter == "F" and "." not in number
 
     def last_of(self, codes):
         return next((int(g) for g in reversed(self.g) if g in codes), None)
@@ -60,6 +62,7 @@ class Block:
 class Machine:
     """The part that is the same for every cycle: modal codes, which blocks drill, levels and repeats."""
 
+    BARE_FEED = {(False, 1): 1, (False, 20): 100, (True, 1): 100, (True, 20): 10000}  # F1 per minute, per turn; mm, inch
     MACHINE_LEVELS = True  # G87 cuts from R up to Z, P counts milliseconds, M29 is known
     CYCLES = (73, 74, 76, 81, 82, 83, 84, 85, 86, 87, 88, 89)
 
@@ -170,6 +173,10 @@ class Machine:
         for letter in b.words:
             if letter in "YZRQIJF" or letter == "X" and 4 not in b.g:
                 b.words[letter] *= self.unit
+        if b.has_bare_feed:
+            mode = b.last_of((94, 95))
+            per_revolution = mode == 95 if mode else self.per_revolution
+            b.words["F"] /= self.BARE_FEED[per_revolution, 1 if self.unit == 1 else 20]
 
     def change_feed_mode(self, per_revolution, has_feed):
         if per_revolution != self.per_revolution and not has_feed:

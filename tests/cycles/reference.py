@@ -10,6 +10,7 @@ from machine import AXIS, REVERSE, Hole, Machine, Settings, Uncertain
 
 
 class Reference(Machine):
+    BARE_FEED = dict.fromkeys(Machine.BARE_FEED, 1)
     MACHINE_LEVELS = False
 
     def __init__(self, settings=None):
