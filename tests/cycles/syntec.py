@@ -3,6 +3,7 @@
 - one distance (Pr4002) for the retract of G73, the clearance of G83 and the retract of peck tapping
 - P waits after each peck of G73 and G83; without a decimal point it counts milliseconds, with one seconds
 - tapping is rigid without M29
+- F without a decimal point counts units
 - G70 is G20, G71 is G21
 """
 import re
@@ -14,6 +15,8 @@ from random_programs import RandomProgram
 
 
 class Syntec(Machine):
+    BARE_FEED = dict.fromkeys(Machine.BARE_FEED, 1)
+
     def __init__(self, settings=None):
         super().__init__(settings or Settings())
 

@@ -46,7 +46,7 @@ struct IncrementalResolve {
       return std::optional(distance + (axis < 3 ? (*last)[axis] : b.get_or(angles_[axis - 3], 0.0)));
     });
     if (travels) b.erase(untravelled_);
-    return any ? ig::Status::changed : ig::Status::unchanged;
+    return any || travels ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
