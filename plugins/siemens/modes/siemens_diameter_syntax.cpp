@@ -5,6 +5,9 @@
 #include "modes/axis_modes.hpp"
 
 namespace siemens {
+
+using namespace ig::cnc;
+
 namespace {
 
 struct SiemensDiameter {
