@@ -6,12 +6,11 @@ using namespace ig::cnc;
 
 namespace {
 
-using Shape = ContourApproach::Shape;
-
 constexpr std::array<std::string_view, 8> shape_names{"LT", "LN", "CT", "LCT", "PLT", "PLN", "PCT", "PLCT"};
 
 /// LEN belongs to LT and LN, R to CT and LCT, CCA to CT.
-bool uses(Shape shape, std::string_view measure) {
+bool uses(ContourApproach::Shape shape, std::string_view measure) {
+  using Shape = ContourApproach::Shape;
   const bool is_straight = shape == Shape::line || shape == Shape::normal;
   return measure == "LEN" ? is_straight : measure == "R" ? !is_straight : shape == Shape::arc;
 }
@@ -19,6 +18,7 @@ bool uses(Shape shape, std::string_view measure) {
 }  // namespace
 
 bool ApproachShape::is_complete() const {
+  using Shape = ContourApproach::Shape;
   if (!shape) return false;
   if (*shape == Shape::line || *shape == Shape::normal) return length && *length >= 0;
   return radius && *radius != 0 && (*shape != Shape::arc || (angle && *angle > 0));
@@ -32,7 +32,7 @@ std::size_t ApproachWords::scan(ig::Block& b, const Values& values, std::string_
   for (std::size_t k = 0; k < shape_names.size(); ++k)
     if (is(shape_names[k])) {
       if (found.shape) report_repeated(b, text, position, end);
-      found.shape = static_cast<Shape>(k % 4);
+      found.shape = static_cast<ContourApproach::Shape>(k % 4);
       return end;
     }
   struct Measure {
