@@ -23,9 +23,9 @@
 
 namespace isogloss::cli {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 constexpr std::string_view end_mark = "end\n";
 

@@ -15,9 +15,9 @@
 
 namespace isogloss::cli {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 /// One line, so that its end says that it is whole.
 std::string to_line(const Outcome& outcome) {
