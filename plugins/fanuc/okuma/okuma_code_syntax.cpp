@@ -15,8 +15,7 @@ struct OkumaCode {
           .after("ParameterizedFlagSyntax", "UnitModeSyntax", "PlaneSelectSyntax", "PathModeSyntax")
           .before("DwellSyntax", "CannedCycleResolveSyntax", "NotExecutedSyntax");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "FAN-0203",
-                     "M53 without a level, which G71 Z gives: the cycle returns to the level where it began"),
+      ig::diagnostic(IG_ERROR, "FAN-0203", "M53: {0}, so cycles return to the level where they began"),
   };
 
   RecognisedCodes codes_{
@@ -41,7 +40,8 @@ struct OkumaCode {
   ig::Out<ig::Symbol> return_mode_{"CannedCycle.ReturnMode"};
   ig::Signal return_to_r_{"CannedCycle.~ReturnToR", ig::read | ig::write, ig::Life::modal};
   ig::Signal return_to_level_{"CannedCycle.~ReturnToNamedLevel", ig::read | ig::write, ig::Life::modal};
-  ig::Name g98_{"G98"}, g99_{"G99"};
+  ig::In<ig::Symbol> plane_{"PlaneSelect.Term", ig::wake};
+  ig::Name g17_{"G17"}, g98_{"G98"}, g99_{"G99"};
 
   ig::Status build(ig::Block& b) {
     bool any = wait(b);
@@ -53,11 +53,14 @@ struct OkumaCode {
         b.report(ig::diag("FAN-0201"), ig::Where::word(level_.code(words->row)), b.text(words->code),
                  std::string_view("Z, the level, is missing"));
     }
-    if (const auto code = b.take(returns_)) {
+    const auto code = b.take(returns_);
+    if (code) {
       any = true;
       return_to(b, *code);
     }
     if (b.find(to_limit_)) return_to_initial(b);
+    const bool leaves_z = b.is_fresh(plane_) && !is_along_z(b) && b.is_raised(return_to_level_);
+    if (leaves_z && !code) report_level(b, ig::Where::block());
     return codes_.report(b) || any ? ig::Status::changed : ig::Status::unchanged;
   }
 
@@ -80,6 +83,13 @@ struct OkumaCode {
     if (b.has(return_mode_)) b.amend(return_mode_, static_cast<ig::Symbol>(g98_));
   }
 
+  bool is_along_z(const ig::Block& b) const { return !b.has(plane_) || b.is(plane_, g17_); }
+
+  void report_level(ig::Block& b, ig::Where where) const {
+    b.report(ig::diag("FAN-0203"), where,
+             std::string_view(is_along_z(b) ? "no G71 Z gives a level" : "G71 is executed in G17 alone"));
+  }
+
   void return_to(ig::Block& b, std::size_t code) const {
     return_to_initial(b);
     if (code == to_r) {
@@ -88,7 +98,7 @@ struct OkumaCode {
       return;
     }
     b.raise(return_to_level_);
-    if (!b.has(return_level_)) b.report(ig::diag("FAN-0203"), ig::Where::word(returns_.id(code)));
+    if (!b.has(return_level_) || !is_along_z(b)) report_level(b, ig::Where::word(returns_.id(code)));
   }
 };
 

@@ -86,7 +86,7 @@ struct BackBoring {
   void check_levels(ig::Block& b, CycleRun& run, double low, double high) const {
     if (r_is_ == RLevel::bottom && !run.returns_to_initial) {
       b.report(ig::diag("ISO-0345"), ig::Where::block());
-      run.return_level = return_level_(b, run.start[run.plane.tool]);
+      run.return_level = return_level_(b, run.plane.tool, run.start[run.plane.tool]);
     }
     if (low < high) return;
     const char bottom_word = "XYZ"[run.plane.tool];

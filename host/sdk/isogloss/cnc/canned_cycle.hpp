@@ -94,10 +94,10 @@ struct CycleHole {
 /// The level to which a cycle under G98 returns. A member of the syntaxes that need it.
 class CycleReturnLevel {
  public:
-  /// In mm: the level that the program names for all cycles (Okuma: G71 with M53), else the initial level, where a
-  /// cycle has one, else `tool`.
-  double operator()(const Block& b, double tool) const {
-    if (b.is_raised(is_named_) && b.has(named_)) return b.get_or(named_, tool);
+  /// In mm, along the tool axis `axis` (0 X, 1 Y, 2 Z) on which the tool is at `tool`: along Z the level that the
+  /// program names for all cycles (Okuma: G71 with M53), else the initial level, where a cycle has one, else `tool`.
+  double operator()(const Block& b, std::size_t axis, double tool) const {
+    if (axis == 2 && b.is_raised(is_named_) && b.has(named_)) return b.get_or(named_, tool);
     return b.get_or(initial_, tool);
   }
 
@@ -171,7 +171,7 @@ class CannedCycle {
     run.bottom = run.first[run.plane.tool];
     run.r_level = words.get_or(CycleWords::R, level);
     run.returns_to_initial = !b.is(return_mode_, g99_);
-    run.return_level = run.returns_to_initial ? level_(b, level) : run.r_level;
+    run.return_level = run.returns_to_initial ? level_(b, run.plane.tool, level) : run.r_level;
     feed_.resolve(b, words[CycleWords::F], where(run, CycleWords::F));
     if (words.get_or(CycleWords::P, 0) < 0) {
       b.report(diag("ISO-0337"), where(run, CycleWords::P), b.text(run.code), words.get_or(CycleWords::P, 0));
