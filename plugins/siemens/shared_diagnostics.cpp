@@ -171,10 +171,9 @@ const ig::Diagnostics shared_diagnostics{
                    "The divisor is 0 in this block.", "R1=5/0"),
     ig::diagnostic(
         IG_ERROR, "SIE-0308",
-        "the call in line {0} passes more values than {1} has parameters ({2} for {3}): the others are ignored "
-        "(alarm 12340)",
+        "the call in line {0} passes more values than {1} has parameters ({2} for {3}): the others are ignored",
         "The values beyond the parameters of PROC have no effect; a program without PROC has no parameters. "
-        "The control stops with alarm 12340. Reported once for each calling line.",
+        "The control stops with an alarm. Reported once for each calling line.",
         "PART(1,2) (and PROC PART(REAL A))"),
     ig::diagnostic(IG_ERROR, "SIE-0321",
                    "{0} asks the control for a value that is not known here: assign the value in the program",

@@ -114,7 +114,7 @@ struct SiemensArc {
     const bool has_centre = b.has(centre_[plane.first]) || b.has(centre_[plane.second]);
     const bool has_end = named.has(plane.first) || named.has(plane.second);
     if (b.has(r_) || (has_centre && has_end)) {
-      const std::string_view others = b.has(r_) ? "the radius CR=" : "an end point and a centre (alarm 14900)";
+      const std::string_view others = b.has(r_) ? "the radius CR=" : "an end point and a centre";
       b.report(ig::diag("SIE-0227"), where, others);
       return;
     }
