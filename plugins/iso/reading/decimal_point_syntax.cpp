@@ -184,6 +184,10 @@ struct DecimalPointSyntax {
 
   double steps_of(std::string_view name, double fallback) const {
     const double increment = rule == Rule::parameter ? number_format.number(name).value_or(fallback) : fallback;
+    return count_of(increment);
+  }
+  /// How many of them are one unit.
+  static double count_of(double increment) {
     const double count = 1 / increment;
     return std::abs(count - std::round(count)) < 1e-6 * count ? std::round(count) : count;
   }
@@ -237,7 +241,7 @@ struct DecimalPointSyntax {
                         : per_revolution ? (in_inches ? feed_units.per_revolution_inch : feed_units.per_revolution_mm)
                                          : (in_inches ? feed_units.per_minute_inch : feed_units.per_minute_mm);
     if (unit == 1 || number == 0) return false;
-    const double value = number / std::round(1 / unit);
+    const double value = number / count_of(unit);
     b.report(ig::diag("ISO-0115"), ig::Where::word(word), std::string_view("F"), number, value,
              std::string_view(mode == g93      ? "1/min"
                               : per_revolution ? (in_inches ? "in/rev" : "mm/rev")
