@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace isogloss {
 
@@ -84,8 +85,11 @@ bool ProgramSearch::find(const ig_go& request, const Caller& caller, Target& out
 /// A place that is not there yet counts, too.
 void ProgramSearch::report_searched() {
   if (!options_.searched) return;
+  std::vector<std::string> looked_in = places().looked_in();
+  const std::pair now(looked_in.size(), neighbours_.has_value());
+  if (std::exchange(searched_, now) == now) return;
   std::vector<std::string> all = options_.program_places;
-  for (std::string& folder : places().looked_in())
+  for (std::string& folder : looked_in)
     if (std::find(all.begin(), all.end(), folder == "." ? std::string() : folder) == all.end())
       all.push_back(std::move(folder));
   options_.searched(all, neighbours_.has_value());

@@ -80,6 +80,7 @@ class ProgramSearch {
   std::set<std::string, std::less<>> hiding_;         // programs that were reported to hide others
   std::optional<std::vector<Neighbour>> neighbours_;  // read once, since a program may call any number of others
   std::set<std::string, std::less<>> not_in_neighbours_;
+  std::optional<std::pair<std::size_t, bool>> searched_;  // places, and whether inside them, when it was told last
 };
 
 }  // namespace isogloss
