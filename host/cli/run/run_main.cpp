@@ -30,8 +30,7 @@ std::string usage() {
   }
   return out +
          "\nExit status: 0 at most warnings, 1 errors in the input, 2 cannot start or cannot write an output, 3 "
-         "internal "
-         "fault.\n\n"
+         "internal fault.\n\n"
          "Example:\n  isogloss run part.nc --emit motions --format text\n";
 }
 

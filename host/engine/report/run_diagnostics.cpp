@@ -210,8 +210,7 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "isogloss run README.md"},
       {warning, "IG-0519", "{0} has no effect: {1}",
        "The output that was chosen, the rest of the command line or the files have no use for the option. Leave it "
-       "out, or "
-       "choose another output.",
+       "out, or choose another output.",
        "isogloss run part.nc --emit none --format csv"},
       {note, "IG-0521", "the range goes to line {0}, but the file has {1} lines",
        "A range names its first line and its last one; lines that the file does not have are not explained.",

@@ -30,9 +30,9 @@ struct Case {
   std::optional<Fence>
       diagnostics;  ///< the codes that must be reported, exactly; absent: none. Of an importer each with line:column
   bool accepts_any_code = false;  ///< "#Diagnostics: any": any codes are accepted
-  std::optional<Fence> before,
-      after;  ///< JSON; both are there in a syntax's case that was read without a fault. A null
-              ///< in `after`: that value or section was there before the build and is gone
+  /// JSON; both are there in a syntax's case that was read without a fault. A null in `after`: that value or section
+  /// was there before the build and is gone.
+  std::optional<Fence> before, after;
 
   std::string file_name;          ///< of an importer's case: "#File: TOOL.T"
   std::optional<Fence> file;      ///< its text
