@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "isogloss/engine/byte_order_mark.hpp"
 #include "isogloss/engine/exporter.hpp"
 #include "run_request.hpp"
 
@@ -21,8 +22,7 @@ std::string lower(std::string text) {
 /// The first lines of the text, trimmed, without empty ones.
 std::vector<std::string> head_lines(std::string_view head) {
   constexpr std::size_t enough = 2000;
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (head.starts_with(byte_order_mark)) head.remove_prefix(byte_order_mark.size());
+  head = behind_byte_order_mark(head);
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < head.size() && lines.size() < enough;) {
     const std::size_t end = std::min(head.find_first_of("\r\n", at), head.size());

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "batch/content_hash.hpp"
+#include "isogloss/engine/byte_order_mark.hpp"
 
 namespace isogloss::cli::batch {
 
@@ -39,12 +40,6 @@ bool is_text_of_program(const fs::path& file) {
   return file.extension() != ".xml" && head_of(file).find('\0') == std::string::npos;
 }
 
-/// Editors of Windows put it before the first line.
-void skip_mark(std::string_view& text) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  if (text.starts_with(mark)) text.remove_prefix(mark.size());
-}
-
 /// Takes the next line off the text, without its end.
 std::string_view next_line(std::string_view& text) {
   std::string_view line = text.substr(0, text.find('\n'));
@@ -57,8 +52,7 @@ std::string_view next_line(std::string_view& text) {
 /// a program, and may be a file beside it. Nor does a line of signs: / skips a block, and is the root of all folders.
 bool is_list(const std::string& place) {
   const std::string head = head_of(place);
-  std::string_view rest = head, line;
-  skip_mark(rest);
+  std::string_view rest = behind_byte_order_mark(head), line;
   while (!rest.empty() && line.empty()) line = next_line(rest);
   std::error_code ignored;
   return line.find_first_of("/.") != std::string_view::npos &&
@@ -120,8 +114,7 @@ bool add_list(const std::string& list, const ProgramPlaces& wanted, ProgramList&
   }
   bool sound = true;
   std::uint32_t number = 0;
-  std::string_view rest = *text;
-  skip_mark(rest);
+  std::string_view rest = behind_byte_order_mark(*text);
   while (!rest.empty()) {
     const std::string_view line = next_line(rest);
     ++number;

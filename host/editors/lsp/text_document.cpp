@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "isogloss/engine/byte_order_mark.hpp"
+
 namespace isogloss::editors {
 
 namespace {
@@ -27,7 +29,6 @@ void TextDocument::replace(const Range& range, std::string_view with) {
 
 void TextDocument::find_lines() {
   counted_ = {};
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   const bool has_feeds = text_.find('\n') != std::string::npos;
   lines_.assign(1, 0);
   run_lines_.assign(1, text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);

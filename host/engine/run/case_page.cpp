@@ -1,6 +1,7 @@
 /// Reads the cases of a page.
 #include <utility>
 
+#include "isogloss/engine/byte_order_mark.hpp"
 #include "isogloss/engine/cases.hpp"
 
 namespace isogloss {
@@ -19,8 +20,7 @@ class PageReader {
   PageReader(const std::string& file, DiagnosticSink& sink) : file_(file), sink_(sink) {}
 
   Page read(std::string_view text) {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+    text = behind_byte_order_mark(text);
     while (!text.empty()) {
       const std::size_t end = text.find('\n');
       line(text.substr(0, end));
