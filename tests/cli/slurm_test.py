@@ -140,13 +140,17 @@ class Cluster:
         return [p for p in self.found("--shard", str(self.folder)) if p not in self.found("--work", str(self.folder))]
 
     def hurry(self):
-        """A job that was requeued waits for two minutes otherwise. Two seconds it needs: a node counts those in which the
-        credential of a job was revoked, and refuses the job for good when it begins in the same one."""
+        """A job that was requeued waits for two minutes otherwise, and one that the node refused is held until somebody
+        releases it. Two seconds it needs: a node counts those in which the credential of a job was revoked, and refuses
+        the job when it begins in the same one."""
         for line in self.ask("squeue", "-h", "-t", "PD", "-o", "%A %r").stdout.splitlines():
             job, reason = line.split(" ", 1)
-            if reason == "BeginTime" and time.monotonic() - self.waiting.setdefault(job, time.monotonic()) > 2:
+            is_held = reason.endswith("held")
+            if not is_held and reason != "BeginTime":
+                continue
+            if time.monotonic() - self.waiting.setdefault(job, time.monotonic()) > 2:
                 del self.waiting[job]
-                self.ask("scontrol", "update", f"JobId={job}", "StartTime=now")
+                self.ask("scontrol", *(["release", job] if is_held else ["update", f"JobId={job}", "StartTime=now"]))
 
     def stop(self):
         for process in reversed(self.processes):
