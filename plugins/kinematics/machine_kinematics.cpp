@@ -126,7 +126,7 @@ struct MachineKinematics {
     const RotaryMachine& machine = machine_of(self);
     Angles at;
     if (!read_angles(machine, angles, at)) return 0;
-    const Vector t = machine.tool_axis(at);
+    const Vector& t = machine.pose(at).tool_axis;
     for (int i = 0; i < 3; ++i) out[i] = t[i];
     return 1;
   }
@@ -135,14 +135,12 @@ struct MachineKinematics {
     const RotaryMachine& machine = machine_of(self);
     Angles at;
     if (!read_angles(machine, angles, at)) return 0;
-    Matrix rotation;
-    Vector translation;
-    machine.pivot(at, rotation, translation);
+    const Pose& pose = machine.pose(at);
     // The document has row vectors, so its matrix is the transpose.
     for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) out[4 * row + column] = rotation(column, row);
+      for (int column = 0; column < 3; ++column) out[4 * row + column] = pose.rotation(column, row);
       out[4 * row + 3] = 0;
-      out[12 + row] = translation[row];
+      out[12 + row] = pose.translation[row];
     }
     out[15] = 1;
     return 1;

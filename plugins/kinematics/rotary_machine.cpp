@@ -11,6 +11,16 @@ constexpr double singular = 1e-12;
 /// Two solutions must differ by this fraction of the radius.
 constexpr double apart = 1e-7;
 
+Matrix matrix(const Vector& n, const Turn& by) {
+  const double k = 1 - by.cos;
+  const Vector s = by.sin * n, kn = k * n;
+  Matrix m;
+  m << by.cos + kn.x() * n.x(), kn.x() * n.y() - s.z(), kn.x() * n.z() + s.y(),  //
+      kn.x() * n.y() + s.z(), by.cos + kn.y() * n.y(), kn.y() * n.z() - s.x(),   //
+      kn.x() * n.z() - s.y(), kn.y() * n.z() + s.x(), by.cos + kn.z() * n.z();
+  return m;
+}
+
 }  // namespace
 
 void RotaryMachine::prepare() {
@@ -28,6 +38,34 @@ void RotaryMachine::prepare() {
   if (count_ != 2) return;
   u_ = (n2 - cos_between_ * n1) / sin_between_;
   w_ = normal / sin_between_;
+}
+
+// Tables carry a point from the workpiece to the base; the displacement of the gauge point by heads is subtracted. The
+// tool axis goes the other way, through the heads and then the tables.
+void RotaryMachine::set_pose(const Angles& angles) const {
+  Vector gauge = Vector::Zero(), tool = tool_;
+  bool has_table = false;
+  pose_.translation.setZero();
+  for (std::size_t i = count_; i-- > 0;) {
+    const RotaryAxis& axis = axes_[i];
+    const Turn& turn = turn_of(i, angles);
+    if (axis.place == Place::head) {
+      gauge = axis.point + turned(gauge - axis.point, axis.direction, turn);
+      tool = turned(tool, axis.direction, turn);
+      continue;
+    }
+    const Matrix r = matrix(axis.direction, {turn.cos, -turn.sin});
+    if (has_table)
+      pose_.rotation = r * pose_.rotation;
+    else
+      pose_.rotation = r;
+    pose_.translation = axis.point + Vector(r * (pose_.translation - axis.point));
+    has_table = true;
+  }
+  if (!has_table) pose_.rotation.setIdentity();
+  pose_.translation -= gauge;
+  pose_.tool_axis = pose_.rotation.transpose() * tool;
+  has_pose_ = true;
 }
 
 Vector RotaryMachine::axis_speeds(const Angles& angles, const Angles& turning, const Vector& tip, double length,

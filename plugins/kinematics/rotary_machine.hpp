@@ -68,6 +68,12 @@ struct Solution {
   std::uint32_t free = 0;  ///< a bit for each of A, B, C
 };
 
+struct Pose {
+  Matrix rotation;     ///< with the translation: from workpiece to machine
+  Vector translation;  ///< mm
+  Vector tool_axis;    ///< from the tip to the holder, a unit vector in coordinates of the workpiece
+};
+
 /// A vector rotated about a unit vector (Rodrigues' formula).
 inline Vector turned(const Vector& v, const Vector& about, const Turn& by) {
   return by.cos * v + (1 - by.cos) * about.dot(v) * about + by.sin * about.cross(v);
@@ -84,34 +90,13 @@ class RotaryMachine {
   /// Computes what does not depend on the angles; call it after the last add().
   void prepare();
 
-  /// The tool axis in coordinates of the workpiece: the axes act in the order from the workpiece through the base to
-  /// the tool.
-  Vector tool_axis(const Angles& angles) const {
-    const Turn& turn = turn_of(inner_, angles);
-    const Vector v = height_ * axes_[inner_].direction + turn.cos * lever_ + turn.sin * side_;
-    return count_ == 2 ? turned(v, axes_[outer_].direction, turn_of(outer_, angles)) : v;
-  }
-
-  /// From workpiece to machine: tables carry the point from the workpiece to the base; the displacement of the gauge
-  /// point by heads is subtracted.
-  void pivot(const Angles& angles, Matrix& rotation, Vector& translation) const {
-    bool is_turned = false;
-    Vector gauge = Vector::Zero();
-    translation.setZero();
-    for (std::size_t i = count_; i-- > 0;) {
-      const RotaryAxis& axis = axes_[i];
-      const Turn& turn = turn_of(i, angles);
-      if (axis.place == Place::head) {
-        gauge = axis.point + turned(gauge - axis.point, axis.direction, turn);
-        continue;
-      }
-      const Matrix r = matrix(axis.direction, {turn.cos, -turn.sin});
-      rotation = is_turned ? Matrix(r * rotation) : r;
-      translation = axis.point + Vector(r * (translation - axis.point));
-      is_turned = true;
-    }
-    if (!is_turned) rotation.setIdentity();
-    translation -= gauge;
+  /// What the axes do to the workpiece and the tool at these angles. Kept until other angles are asked for, because a
+  /// block asks for the place of the workpiece and for the tool axis one after the other.
+  const Pose& pose(const Angles& angles) const {
+    bool is_kept = has_pose_;
+    for (std::size_t i = 0; i < count_; ++i) is_kept = is_kept && angles[axes_[i].letter] == last_[i].angle;
+    if (!is_kept) set_pose(angles);
+    return pose_;
   }
 
   /// The velocity of the machine's X Y Z while the tip at `tip` moves at `tip_speed` and the axes turn at `turning`, in
@@ -151,21 +136,16 @@ class RotaryMachine {
     return {at, turned(v.speed, about, by) + speed * about.cross(at)};
   }
 
-  static Matrix matrix(const Vector& n, const Turn& by) {
-    const double k = 1 - by.cos;
-    const Vector s = by.sin * n, kn = k * n;
-    Matrix m;
-    m << by.cos + kn.x() * n.x(), kn.x() * n.y() - s.z(), kn.x() * n.z() + s.y(),  //
-        kn.x() * n.y() + s.z(), by.cos + kn.y() * n.y(), kn.y() * n.z() - s.x(),   //
-        kn.x() * n.z() - s.y(), kn.y() * n.z() + s.x(), by.cos + kn.z() * n.z();
-    return m;
-  }
+  void set_pose(const Angles& angles) const;
 
-  /// Cached, because a block asks for the same angles twice, which are mostly those of the block before.
+  /// Kept for each axis, because many blocks turn only one of the two.
   const Turn& turn_of(std::size_t i, const Angles& angles) const {
     Last& last = last_[i];
     const double angle = angles[axes_[i].letter];
-    if (angle != last.angle) last = {angle, Turn::by(axes_[i].geometric(angle))};
+    if (angle != last.angle) {
+      last = {angle, Turn::by(axes_[i].geometric(angle))};
+      has_pose_ = false;
+    }
     return last.turn;
   }
 
@@ -182,6 +162,8 @@ class RotaryMachine {
   Vector lever_ = Vector::Zero(), side_ = Vector::Zero();  // of the tool about the inner axis
   Vector u_ = Vector::Zero(), w_ = Vector::Zero();
   mutable std::array<Last, 2> last_;
+  mutable Pose pose_;  // for the angles of last_
+  mutable bool has_pose_ = false;
 };
 
 }  // namespace kinematics

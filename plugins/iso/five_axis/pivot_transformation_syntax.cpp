@@ -1,7 +1,7 @@
 /// The frame's last entry, PivotTransform: the workpiece turns with its table, the gauge point with the head. The entry
 /// is in the frame while the program describes the workpiece wherever the axes have turned it: under tool centre point
-/// control, where the entry moves with the axes and takes the tip along, and after G53.1, where it is at rest with
-/// them. Otherwise rotary words only turn their axes, and X Y Z are machine directions.
+/// control, where the entry and the tool length move with the axes and take the tip along, and after G53.1, where the
+/// entry is at rest with them. Otherwise rotary words only turn their axes, and X Y Z are machine directions.
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/rotary_turns.hpp>
 
@@ -34,6 +34,7 @@ struct PivotTransformation {
 
   PlaneInMachine tilt_;
   ig::Transform tool_{"ToolHeightCompensation", ig::read | ig::write};
+  ig::Xyz orientation_{"ToolOrientation", ig::read | ig::write};
   ig::Transform frame_{"PivotTransform", ig::read | ig::write};
   ig::Xyz program_{"ProgramXyz", ig::write};
   ig::Xyz start_{"PivotTransform.Start",
@@ -51,10 +52,16 @@ struct PivotTransformation {
     if (!machine_ || (!follows_tip && !is_aligned)) return leave(b);
     const RotaryTurn turn = turn_.read(b, machine_);
     const bool leads = b.is_raised(tip_stays_) || (follows_tip && !b.find(machine_select_));
-    if (!leads) return rest(b, turn);
+    if (follows_tip && (turn.was_moved || !b.get(orientation_).complete())) rest_tool(b, turn.from);
+    if (!leads) {
+      if (follows_tip && turn.moves) turn_tool(b, turn.to);
+      return rest(b, turn);
+    }
     if (!turn.is_followed || turn.was_moved || turn_.state().is_fresh(b)) set(b, turn.from);
     if (!turn.moves) return ig::Status::changed;
-    return lead(b, turn) ? ig::Status::changed : ig::Status::unchanged;
+    if (!lead(b, turn)) return ig::Status::unchanged;
+    if (follows_tip) turn_tool(b, turn.to);
+    return ig::Status::changed;
   }
 
  private:
@@ -71,6 +78,21 @@ struct PivotTransformation {
     b.set_transform(frame_, *pivot);
     turn_.state().set(b, machine_, angles);
     return true;
+  }
+
+  /// The length lies along the tool axis, with the axes at rest.
+  void rest_tool(ig::Block& b, const Angles& angles) const {
+    const auto axis = machine_.tool_axis(angles);
+    if (!axis) return;
+    b.set(orientation_, *axis);
+    b.set_translation(tool_, b.get_or(length_, 0.0) * *axis);
+  }
+  /// The length moves with the tool axis.
+  void turn_tool(ig::Block& b, const Angles& to) const {
+    const auto axis = machine_.tool_axis(to);
+    if (!axis) return;
+    b.amend(orientation_, *axis);  // amended, so that no syntax wakes: the length lies along it already
+    put_tool(b, b.get_or(length_, 0.0) * *axis);
   }
 
   /// On a tilted plane without tool centre point control: the axes turn the programmed coordinates, and the machine's X

@@ -1,7 +1,7 @@
 /// G43.4 and G43.5: X Y Z are positions of the tool's tip in the workpiece, wherever the rotary axes have turned it.
-/// The tool length lies along the tool axis; the frame turns with the axes (PivotTransformationSyntax). A block of
-/// G43.4 gives the angles, a block of G43.5 the direction of the tool (I J K). Fanuc manual, "Tool center point
-/// control".
+/// The tool length lies along the tool axis. A block of G43.4 gives the angles, and a block of G43.5 the direction of
+/// the tool (I J K), from which this syntax computes the angles; PivotTransformationSyntax turns the tool and the frame
+/// with the axes. Fanuc manual, "Tool center point control".
 #include <isogloss/cnc/cycle_codes.hpp>
 #include <isogloss/cnc/motion_event.hpp>
 #include <isogloss/cnc/rotary_solver.hpp>
@@ -42,13 +42,12 @@ struct ToolCenterPoint {
   ig::Call codes_{{"G43.4", "G43.5"}, "H[]"};
   ig::Call others_{{"G43", "G44", "G49"}, "", ig::read | ig::wake};
   ig::Call g43_{{"G43"}, "H[]", ig::read | ig::write};
-  ig::InWhile<ig::Symbol> by_angles_{"ToolHeightCompensation.Term", "G43.4"};
   ig::InWhile<ig::Symbol> by_direction_{"ToolHeightCompensation.Term", "G43.5"};
   ig::Out<ig::Symbol> term_{"ToolHeightCompensation.Term"};
   ig::Out<std::int64_t> offset_id_{"ToolHeightCompensation.OffsetId"};
   ig::Out<double> offset_{"ToolHeightCompensation.Offset_mm"};
   ig::Out<double> untravelled_{"ToolHeightCompensation.Untravelled_mm"};
-  ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read};
+  ig::Signal table_changed_{"ToolHeightCompensation.~TableChanged", ig::read | ig::wake};
   ig::In<double> delta_{"ToolHeightCompensation.Delta_mm",
                         ig::read,
                         {ig::Life::modal, "mm", "What the tool call adds to the length of the table."}};
@@ -57,16 +56,18 @@ struct ToolCenterPoint {
   ig::Field<bool> aligned_{"TiltTransform.IsAligned",
                            ig::read,
                            {ig::Life::modal, "", "G53.1 or G53.6 has put the tool upright on the plane."}};
-  ig::Word h_{"Parsing.H", ig::take, ""};
+  ig::Word h_{"Parsing.H", ig::wake, ""};
   std::array<ig::Word, 3> direction_{ig::Word{"Parsing.I", ig::take}, ig::Word{"Parsing.J", ig::take},
                                      ig::Word{"Parsing.K", ig::take}};
   std::array<ig::Word, 3> rotary_{ig::Word{"Parsing.A", ig::take, "deg"}, ig::Word{"Parsing.B", ig::take, "deg"},
                                   ig::Word{"Parsing.C", ig::take, "deg"}};
   std::array<ig::Out<double>, 3> axes_{ig::Out<double>{"MachineCoordinate.A"}, ig::Out<double>{"MachineCoordinate.B"},
                                        ig::Out<double>{"MachineCoordinate.C"}};
-  ig::Codes excluded_{{"G33", "G53", "G54", "G55", "G56", "G57", "G58", "G59"}, ig::read};
+  ig::Codes excluded_{{"G33", "G53", "G54", "G55", "G56", "G57", "G58", "G59"}, ig::read | ig::wake};
   CycleCalls excluded_calls_{
-      "", ig::read, {"G27", "G28", "G29", "G30", "G52", "G54.1", "G68", "G68.2", "G68.3", "G68.4", "G92", "G92.1"}};
+      "",
+      ig::read | ig::wake,
+      {"G27", "G28", "G29", "G30", "G52", "G54.1", "G68", "G68.2", "G68.3", "G68.4", "G92", "G92.1"}};
   ig::Signal said_{"ToolCenterPoint.~Said", ig::read | ig::write, ig::Life::modal};
   MotionGroup group_;
   PlaneInMachine tilt_;
@@ -105,9 +106,9 @@ struct ToolCenterPoint {
       b.erase(untravelled_);
     }
     if (was_on && refused_ == RefusedCodes::said) report_excluded(b);
-    RotaryTurn turn = turn_.read(b, machine_);
-    const bool takes = b.is(term_, g43_5_) && turn_to_direction(b, turn);
-    return follow(b, turn, starts, h, where) || takes ? ig::Status::changed : ig::Status::unchanged;
+    const Angles from = turn_.read(b, machine_).from;
+    const bool takes = b.is(term_, g43_5_) && turn_to_direction(b, from);
+    return put_length(b, from, starts, h, where) || takes ? ig::Status::changed : ig::Status::unchanged;
   }
 
  private:
@@ -132,9 +133,8 @@ struct ToolCenterPoint {
     if (const auto code = b.find(excluded_calls_)) report(excluded_calls_.code(*code), excluded_calls_.name(*code));
   }
 
-  /// Updates the length and the tool axis: at the block's end, and also at its start when something other than the axes
-  /// changed them.
-  bool follow(ig::Block& b, const RotaryTurn& turn, bool starts, std::optional<double> h, ig::Where where) const {
+  /// A new length goes along the tool axis that the block starts with.
+  bool put_length(ig::Block& b, const Angles& from, bool starts, std::optional<double> h, ig::Where where) const {
     if (h)
       if (const auto row = ToolLengths::row(b, *h, where)) b.set(offset_id_, *row);
     if (starts && !b.has(offset_id_)) {
@@ -142,44 +142,28 @@ struct ToolCenterPoint {
       b.set(offset_id_, std::int64_t{0});
     }
     const bool looks_up = starts || h || b.is_raised(table_changed_);
-    if (looks_up)
-      b.set(offset_, lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where) + b.get_or(delta_, 0.0));
-
-    const bool is_anew = looks_up || turn.was_moved || !b.get(orientation_).complete();
-    if (!is_anew && !turn.moves) return false;
-    const double length = b.get_or(offset_, 0.0);
-    if (is_anew) {
-      const auto axis = machine_.tool_axis(turn.from);
-      if (!axis) return true;
+    if (!looks_up) return false;
+    b.set(offset_, lengths_.length(b, b.get_or(offset_id_, std::int64_t{0}), where) + b.get_or(delta_, 0.0));
+    if (const auto axis = machine_.tool_axis(from)) {
       b.set(orientation_, *axis);
-      b.set_translation(frame_, length * *axis);
-    }
-    if (turn.moves) {
-      const auto axis = machine_.tool_axis(turn.to);
-      if (!axis) return true;
-      b.amend(orientation_, *axis);  // amended, so that no syntax wakes: the length lies along it already
-      Mat4 m = identity_frame;
-      for (std::size_t i = 0; i < 3; ++i) m[12 + i] = length * (*axis)[i];
-      b.set_moving_transform(frame_, m);
+      b.set_translation(frame_, b.get_or(offset_, 0.0) * *axis);
     }
     return true;
   }
 
   /// G43.5: the angles that give the tool the direction of I J K. True when the block named a direction.
-  bool turn_to_direction(ig::Block& b, RotaryTurn& turn) const {
+  bool turn_to_direction(ig::Block& b, const Angles& from) const {
     bool has_rotary = false, has_direction = false;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (machine_.has(axis) && b.take(rotary_[axis])) has_rotary = true;
     for (const ig::Word& word : direction_) has_direction = has_direction || b.has(word);
     if (has_rotary) b.report(ig::diag("ISO-0451"), ig::Where::block());
-    turn.to = turn.from;
-    turn.moves = false;
 
     const auto wanted = has_direction ? direction(b) : std::nullopt;
     if (!wanted) return has_rotary || has_direction;
     const RotaryCandidates found =
-        solver_.candidates(machine_, *wanted, turn.from, RotarySolver::sign_of(machine_, choice_));
-    const auto angles = solver_.choose(machine_, found, turn.from, choice_);
+        solver_.candidates(machine_, *wanted, from, RotarySolver::sign_of(machine_, choice_));
+    const auto angles = solver_.choose(machine_, found, from, choice_);
     if (!angles) {
       if (found.is_reachable)
         b.report(ig::diag("ISO-0444"), ig::Where::block(), b.text(static_cast<ig::Symbol>(g43_5_)));
@@ -189,10 +173,8 @@ struct ToolCenterPoint {
       b.alarm();
       return true;
     }
-    turn_.state().set(b, machine_, turn.from);
+    turn_.state().set(b, machine_, from);
     for (std::size_t k = 0; k < machine_.count(); ++k) b.set(axes_[machine_.axis(k)], (*angles)[machine_.axis(k)]);
-    turn.to = *angles;
-    turn.moves = turn_.moves(machine_, turn);
     return true;
   }
 

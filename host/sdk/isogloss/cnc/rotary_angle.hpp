@@ -36,15 +36,8 @@ inline PartialAngles angles_of(const Block& b, const std::array<ig_field, 3>& fi
 
 /// Writes the angles that are present.
 inline void set_angles(Block& b, const std::array<ig_field, 3>& fields, const PartialAngles& to) {
-  ig_field named[3];
-  ig_value v[3];
-  std::uint32_t n = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!to.has(axis)) continue;
-    named[n] = fields[axis];
-    v[n++].number = to.value[axis];
-  }
-  b.set_many(named, n, v);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (to.has(axis)) b.set(fields[axis], to.value[axis]);
 }
 
 /// Angles that differ by at most this many degrees are the same position; limits of travel are inclusive by as much.

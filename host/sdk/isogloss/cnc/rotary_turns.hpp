@@ -113,8 +113,10 @@ class RotaryTurns {
 
   /// The offset that still has to be added to the words of positions.
   Angles offset_of_words(const Block& b) const {
-    if (words_are_ == RotaryWordsAre::of_machine || !offsets_.any(b) || b.find(machine_select_)) return {};
-    return offsets_.get(b);
+    return words_are_ == RotaryWordsAre::of_machine ? Angles{} : offset_of_program(b);
+  }
+  Angles offset_of_program(const Block& b) const {
+    return offsets_.any(b) && !b.find(machine_select_) ? offsets_.get(b) : Angles{};
   }
 
   /// Where a word sends its axis. A word that McAbcSyntax will refuse turns nothing; a sign that is a direction is not

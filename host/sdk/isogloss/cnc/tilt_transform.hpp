@@ -150,9 +150,13 @@ inline std::optional<Mat4> from_projections(const Vec3& angles) {
 }
 
 inline bool is_finite(const Mat4& m) {
-  double nothing = 0;
-  for (const double element : m) nothing += 0 * element;  // an infinity or a NaN makes the sum NaN
-  return nothing == 0;
+  // An infinity or a NaN makes its sum NaN. Two sums, since one would wait for each of its additions.
+  double even = 0, odd = 0;
+  for (std::size_t i = 0; i < m.size(); i += 2) {
+    even += 0 * m[i];
+    odd += 0 * m[i + 1];
+  }
+  return even + odd == 0;
 }
 
 /// A member of each syntax that reads or writes the entry.

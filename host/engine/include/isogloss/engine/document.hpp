@@ -449,7 +449,7 @@ class alignas(64) Document {
   }
   void sum_up(ig_field f);
   bool is_watched(ig_field f) const { return (fields_.bits[f >> 6].watched >> (f & 63) & 1) != 0; }
-  [[gnu::cold]] void compose();
+  [[gnu::noinline]] void compose();
   bool has_value(ig_field f, ig_value v) const {
     return (fields_.bits[f >> 6].present & bit(f)) != 0 && fields_.states[f].value.integer == v.integer;
   }
