@@ -21,6 +21,7 @@ class BrokenContour {
     std::string_view unbroken;            ///< why the corner is not broken although it should be
     bool is_expected = false;             ///< an unbroken corner here needs no report
     bool begins_behind_corner = false;
+    std::optional<double> corner_feed_mmds{};  ///< where it is not that of the move
   };
 
   void forget() { start_.reset(); }
@@ -50,6 +51,7 @@ class BrokenContour {
     piece.motion.move = between_corners(now.move, begin, broken.corner.begin);
     piece.motion.to = corner.from;
     piece.corner = corner;
+    piece.corner_feed_mmds = wanted->feed_mmds;
     start_ = broken.corner.end;
     return piece;
   }

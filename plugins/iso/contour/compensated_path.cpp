@@ -35,6 +35,7 @@ ig::Status CompensatedPath::build(ig::Block& b) {
   if (!manner_) return status;
   contour_.report(b, piece);
   inserted_.reset();
+  if (piece.corner && piece.corner_feed_mmds) manner_->feed_mmds = piece.corner_feed_mmds;
   if (piece.corner) go_round_corner(b, *piece.corner, offset);
   return status;
 }
@@ -95,9 +96,19 @@ void CompensatedPath::stand_at(const ContourMotion& now, const ig::Vec3& at, dou
   tool_.offset = offset;
 }
 
-Corner CompensatedPath::corner_to(const ContourMotion& now, const ContourAhead::Next& next, double offset) const {
+Corner CompensatedPath::corner_to(ig::Block& b, const ContourMotion& now, const ContourAhead::Next& next,
+                                  double offset) const {
+  if (const auto limit = b.get(corner_limit_))
+    if (const auto crossing = outer_crossing(now.move, next.move, offset, *limit)) return *crossing;
   // A rapid makes no arc.
   return iso::corner(now.move, next.move, offset, next.is_rapid ? OuterCorner::lines : OuterCorner{outer_corner_});
+}
+
+Corner CompensatedPath::about_first_or_last(ig::Block& b, const ContourMove& before, const ContourMove& after,
+                                            double offset) const {
+  if (const auto limit = b.get(corner_limit_))
+    if (const auto crossing = outer_crossing(before, after, offset, *limit)) return *crossing;
+  return arc_about_corner(before, after, offset);
 }
 
 ig::Status CompensatedPath::go_on(ig::Block& b, const ContourMotion& now, double offset) {
@@ -118,13 +129,15 @@ Corner CompensatedPath::end_of(ig::Block& b, const ContourMotion& now, double of
   if (next.kind != ContourAhead::Next::Kind::move || !now.move.fits(offset)) return square_corner(now.move, offset);
   if (next.offset == 0) {
     if (next.direction.length() > 0) return directed_end(now.move, offset, next.direction);
+    if (const auto away = ahead_.leaves_behind(now.move, next, offset))
+      return about_first_or_last(b, now.move, *away, offset);
     const bool goes_at_once = without_move_ == WithoutMove::at_once && next.cancels_at_rest;
     if (!is_type_b_ || next.move.is_arc || goes_at_once) return square_corner(now.move, offset);
-    const Corner round = corner_to(now, next, offset);
+    const Corner round = corner_to(b, now, next, offset);
     return round.kind == CornerKind::inner ? square_corner(now.move, offset) : round;
   }
   if (next.offset * offset < 0) return change_of_side(now.move, offset, next.move, next.offset);
-  const Corner corner = corner_to(now, next, offset);
+  const Corner corner = corner_to(b, now, next, offset);
   if (interference_ != Interference::ignore)
     if (const auto around = go_around(b, now, offset, next, corner)) return *around;
   if (!next.move.fits(offset)) return square_corner(now.move, offset);
@@ -148,7 +161,8 @@ ig::Status CompensatedPath::move(ig::Block& b, const ContourMotion& now, Phase p
   const double height = now.to[now.plane.tool];
   const ig::Vec3 to = at(now, corner.leave, height);
   if (goes_along_arc(b, now, phase, from, corner.leave, offset))
-    steps_.arc(b, to, at(now, now.move.center, tool_.at[now.plane.tool]), now.move.is_ccw, manner);
+    steps_.arc(b, to, at(now, now.move.center, tool_.at[now.plane.tool]), now.move.is_ccw,
+               on_arc(b, now, manner, offset));
   else
     steps_.line(b, to, manner);
   return arrive(b, now, phase, corner, offset, to);
@@ -187,6 +201,24 @@ void CompensatedPath::turn_corner(ig::Block& b, const ContourMotion& now, const 
     tool_.at = to;
   }
   tool_.corner.count = 0;
+}
+
+CompensatedPath::FeedOnArcs CompensatedPath::feed_on_arcs(const ig::Block& b) const {
+  for (std::size_t i = 0; i < feeds_at_.size(); ++i)
+    if (b.is(feed_at_, feeds_at_[i])) return static_cast<FeedOnArcs>(i);
+  return feed_on_arcs_;
+}
+
+ToolSteps::Manner CompensatedPath::on_arc(const ig::Block& b, const ContourMotion& now,
+                                          const ToolSteps::Manner& manner, double offset) const {
+  const FeedOnArcs at = feed_on_arcs(b);
+  const double contour = (now.move.end - now.move.center).length();
+  const double path = now.move.path_radius(now.move.end, offset);
+  if (!manner.feed_mmds || at == FeedOnArcs::center || (path > contour && at == FeedOnArcs::contour_inside))
+    return manner;
+  ToolSteps::Manner out = manner;
+  out.feed_mmds = *manner.feed_mmds * path / contour;
+  return out;
 }
 
 void CompensatedPath::report_narrow_arc(ig::Block& b, const ContourMotion& now, double offset) const {

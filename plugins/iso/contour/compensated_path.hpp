@@ -31,6 +31,7 @@ class CompensatedPath {
   enum class Interference { alarm, avoid, ignore };
   enum class WithoutMove { next_move, at_once };
   enum class EndOff { said, allowed };
+  enum class FeedOnArcs { center, contour, contour_inside };
   enum Phase : std::size_t { starting, offsetting, cancelling };
 
   ig::Signal path_{"RadiusCompensation.~Path", ig::read | ig::wake};
@@ -73,6 +74,16 @@ class CompensatedPath {
                                                  parameters_.number("RadiusCompensationStartUp").value_or(0) != 0);
   ig::Choice<OuterCorner> outer_corner_{"outer-corner", "lines|arc", "lines",
                                         "How the tool moves round an outer corner."};
+  ig::In<double> corner_limit_{"RadiusCompensation.CornerLimit_deg",
+                               ig::read,
+                               {ig::Life::modal, "deg",
+                                "Outer corners that bend by at most this are passed where the offsets cross."}};
+  ig::Choice<FeedOnArcs> feed_on_arcs_{"feed-on-arcs", "center|contour|contour-inside", "center",
+                                       "Where F holds on an arc: at the tool centre, or at the contour."};
+  ig::In<ig::Symbol> feed_at_{"RadiusCompensation.FeedOnArcs",
+                              ig::read,
+                              {ig::Life::modal, "", "Center, Contour or ContourInside: where F holds on an arc."}};
+  std::array<ig::Name, 3> feeds_at_{ig::Name{"Center"}, ig::Name{"Contour"}, ig::Name{"ContourInside"}};
   ig::Choice<Interference> interference_{"interference", "alarm|avoid|ignore", "alarm",
                                          "What happens to a move that the tool cannot reach between its neighbours: "
                                          "skipped with an alarm, skipped, or made as computed."};
@@ -121,7 +132,9 @@ class CompensatedPath {
   void stand_at(const ContourMotion& now, const ig::Vec3& at, double offset);
   /// What comes after the move at hand.
   ContourAhead::Next following(ig::Block& b, const ContourMotion& now, double offset) const;
-  Corner corner_to(const ContourMotion& now, const ContourAhead::Next& next, double offset) const;
+  Corner corner_to(ig::Block& b, const ContourMotion& now, const ContourAhead::Next& next, double offset) const;
+  /// The first or the last point of the contour, about which the tool goes from behind the contour or to there.
+  Corner about_first_or_last(ig::Block& b, const ContourMove& before, const ContourMove& after, double offset) const;
   Corner end_of(ig::Block& b, const ContourMotion& now, double offset, const ContourAhead::Next& next);
   /// A chamfer or a rounding is a move of the contour like others. After the move that cancels compensation, the tool
   /// centre is on it.
@@ -129,6 +142,10 @@ class CompensatedPath {
   /// An arc that is narrower than the tool; both radii as they are in the machine.
   void report_narrow_arc(ig::Block& b, const ContourMotion& now, double offset) const;
   void report_too_far(ig::Block& b, const ContourAhead::Next& next) const;
+  FeedOnArcs feed_on_arcs(const ig::Block& b) const;
+  /// The feed of the tool centre on an arc of the contour.
+  ToolSteps::Manner on_arc(const ig::Block& b, const ContourMotion& now, const ToolSteps::Manner& manner,
+                           double offset) const;
 
   /// The rest of the corner before, then the move up to where it is left for the next.
   ig::Status move(ig::Block& b, const ContourMotion& now, Phase phase, const Corner& corner, double offset);

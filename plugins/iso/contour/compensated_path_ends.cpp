@@ -14,10 +14,12 @@ ig::Status CompensatedPath::start(ig::Block& b, const ContourMotion& now, double
   const ContourAhead::Next next = following(b, now, offset);
   Corner corner = square_corner(now.move, offset);
   if (next.kind == ContourAhead::Next::Kind::move && next.offset * offset > 0) {
-    const Corner round = corner_to(now, next, offset);
+    const Corner round = corner_to(b, now, next, offset);
     const bool is_outer =
         round.kind == CornerKind::obtuse || round.kind == CornerKind::acute || round.kind == CornerKind::round;
-    if (is_type_b_ && is_outer)
+    if (const auto way = ahead_.starts_behind(b, now.move, next.move, offset))
+      corner = about_first_or_last(b, *way, next.move, offset);
+    else if (is_type_b_ && is_outer)
       corner = round;
     else
       corner.leave = next.move.offset_start(offset);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <isogloss/cnc/corner_break_state.hpp>
+#include <isogloss/cnc/radius_compensation.hpp>
 #include <isogloss/cnc/scan.hpp>
 
 #include "contour/contour_motion.hpp"
@@ -50,6 +51,7 @@ class ContourAhead {
     ContourMove move{};
     Point2 direction{};            ///< of the cancelling move, where the program gives one
     bool cancels_at_rest = false;  ///< the cancelling code stands in a block without a move, before the move
+    bool goes_round = false;       ///< from the last point of the contour to behind it
   };
 
   /// The offset in coordinates of the program: a frame that scales (SCALE) does not scale the tool.
@@ -97,6 +99,7 @@ class ContourAhead {
       next.is_rapid = ahead.get_or(is_rapid_, false);
       next.move = motion.move;
       next.cancels_at_rest = cancels;
+      next.goes_round = ahead.get_or(goes_round_, false);
       next.direction = ContourMotionOf::in_plane(plane, ahead.get(cancel_direction_).or_else({}));
       if (other_frame && !bring_here(b, ahead, motion, next.move)) next.kind = Next::Kind::barrier;
       return next;
@@ -145,7 +148,26 @@ class ContourAhead {
     return with_corners(moves, count, start.value_or(moves[0].start), breaks, walls);
   }
 
+  /// The way to the contour of a tool that starts behind it and goes round its first point; nothing elsewhere. Behind
+  /// is the other side of the tangent at that point.
+  std::optional<ContourMove> starts_behind(const ig::Block& b, const ContourMove& now, const ContourMove& next,
+                                           double offset) const {
+    if (!b.get_or(goes_round_, false) || !is_behind(now.start, now.end, next.direction_at_start(), offset))
+      return std::nullopt;
+    return touching_move_from(now.start, now.end, offset);
+  }
+  /// The same at the end: the way off the contour.
+  static std::optional<ContourMove> leaves_behind(const ContourMove& now, const Next& next, double offset) {
+    if (!next.goes_round || next.move.is_arc || !is_behind(next.move.end, now.end, now.direction_at_end(), offset))
+      return std::nullopt;
+    return touching_move_to(now.end, next.move.end, offset);
+  }
+
  private:
+  static bool is_behind(const Point2& tool, const Point2& corner, const Point2& tangent, double offset) {
+    return offset * dot(tool - corner, left_of(tangent)) < -same_point_mm * std::fabs(offset);
+  }
+
   using Break = std::optional<CornerBreakState::Corner>;
 
   /// Macro statements, macro calls, and calls and returns without other words are no blocks without a move for the
@@ -207,6 +229,10 @@ class ContourAhead {
   ig::In<double> radius_{"RadiusCompensation.Radius_mm"};
   ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
+  ig::In<bool> goes_round_{"RadiusCompensation.GoesRoundEnds",
+                           ig::read,
+                           {ig::Life::modal, "",
+                            "A tool behind the contour goes round its first and last point, not straight to it."}};
   ig::In<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc"};
   ig::In<ig::Symbol> call_{"SubProgramCall.Term"}, return_{"SubProgramReturn.Term"};
   ig::Signal macro_statement_{"Parsing.~MacroStatement", ig::read}, macro_call_{"Parsing.~MacroCall", ig::read};

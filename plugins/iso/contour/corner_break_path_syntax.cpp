@@ -61,7 +61,8 @@ struct CornerBreakPath {
   void make(ig::Block& b, const BrokenContour::Piece& piece) {
     const ToolSteps::Manner manner = event_.take(b);
     if (length(piece.motion.to - piece.motion.from) > same_point_mm || !piece.corner) step(b, piece.motion, manner);
-    if (piece.corner) step(b, *piece.corner, {false, manner.feed_mmds, 0});
+    const auto corner_feed = piece.corner_feed_mmds ? piece.corner_feed_mmds : manner.feed_mmds;
+    if (piece.corner) step(b, *piece.corner, {false, corner_feed, 0});
     if (piece.corner)
       b.set(compound_, contour_.term(b));
     else if (const auto code = b.get(motion_code_))

@@ -17,6 +17,7 @@ class CornerBreakState {
     CornerShape shape = CornerShape::legs;
     double size = 0;        ///< mm; see CornerShape
     bool is_modal = false;  ///< set for every corner: a block without a corner is no fault
+    std::optional<double> feed_mmds = std::nullopt;  ///< of the corner; that of the move before it without a value
   };
   explicit CornerBreakState(Access access)
       : term_("CornerBreak.Term", access,
@@ -24,6 +25,7 @@ class CornerBreakState {
         shape_("CornerBreak.Shape", access, {Life::block, "", "Legs, Length or Rounding: what the size means."}),
         size_("CornerBreak.Size_mm", access,
               {Life::block, "mm", "From the corner to both ends of a chamfer, its length, or the radius."}),
+        feed_("CornerBreak.Feedrate_mmds", access, {Life::block, "mm/s", "The feed rate of the corner."}),
         is_modal_("CornerBreak.IsModal", access, {Life::block, "", "Not of this corner alone."}) {}
 
   bool is_there(const Block& b) const { return b.has(term_); }
@@ -34,7 +36,7 @@ class CornerBreakState {
                   shape == rounding_ ? CornerShape::rounding
                   : shape == length_ ? CornerShape::length
                                      : CornerShape::legs,
-                  b.get_or(size_, 0.0), b.get_or(is_modal_, false)};
+                  b.get_or(size_, 0.0), b.get_or(is_modal_, false), b.get(feed_)};
   }
   void set(Block& b, const Corner& corner) const {
     b.set(term_, corner.term);
@@ -42,12 +44,13 @@ class CornerBreakState {
                   : corner.shape == CornerShape::length ? length_
                                                         : legs_);
     b.set(size_, corner.size);
+    if (corner.feed_mmds) b.set(feed_, *corner.feed_mmds);
     if (corner.is_modal) b.set(is_modal_, true);
   }
 
  private:
   Field<Symbol> term_, shape_;
-  Field<double> size_;
+  Field<double> size_, feed_;
   Field<bool> is_modal_;
   Name legs_{"Legs"}, length_{"Length"}, rounding_{"Rounding"};
 };

@@ -147,6 +147,47 @@ inline Corner corner(const ContourMove& a, const ContourMove& b, double offset, 
   return out;
 }
 
+/// An outer corner where the tool goes on along both offsets to the point where they cross; nothing at other corners,
+/// where the contour bends by more than `limit_deg`, and where the offsets do not cross.
+inline std::optional<Corner> outer_crossing(const ContourMove& a, const ContourMove& b, double offset,
+                                            double limit_deg) {
+  constexpr double no_bend = 3e-8, degree = 3.14159265358979323846 / 180, slack_deg = 1e-6;
+  const Point2 u1 = a.direction_at_end(), u2 = b.direction_at_start();
+  const double bend = cross(u1, u2);
+  if (!(bend * offset < 0) || std::fabs(bend) < no_bend) return std::nullopt;
+  if (std::atan2(std::fabs(bend), dot(u1, u2)) / degree > limit_deg + slack_deg) return std::nullopt;
+  const Point2 q1 = a.offset_end(offset), q2 = b.offset_start(offset);
+  const auto at = detail::crossing(detail::curve_at(a, a.end, u1, offset), detail::curve_at(b, b.start, u2, offset),
+                                   0.5 * (q1 + q2));
+  if (!at || dot(*at - q1, u1) < -same_point_mm || dot(q2 - *at, u2) < -same_point_mm) return std::nullopt;
+  return Corner{CornerKind::obtuse, *at, {}, 0};
+}
+
+/// The tool goes on an arc about the point where two moves meet, also where that is no outer corner.
+inline Corner arc_about_corner(const ContourMove& a, const ContourMove& b, double offset) {
+  Corner out{CornerKind::round, a.offset_end(offset), {}, 0};
+  out.arc_to(b.offset_start(offset), offset < 0);
+  return out;
+}
+
+/// The move to `corner` whose offset begins at `from`: a line from there that touches the tool's circle about the
+/// corner. Nothing within that circle.
+inline std::optional<ContourMove> touching_move_from(const Point2& from, const Point2& corner, double offset) {
+  const Point2 way = corner - from;
+  const double distance = way.length();
+  if (distance < std::fabs(offset) + same_point_mm) return std::nullopt;
+  const double sine = offset / distance, cosine = std::sqrt((1 - sine) * (1 + sine));
+  const Point2 along = (1 / distance) * way, direction = cosine * along + sine * left_of(along);
+  return ContourMove{corner - (distance * cosine) * direction, corner, false, {}, false};
+}
+
+/// The move from `corner` whose offset ends at `to`.
+inline std::optional<ContourMove> touching_move_to(const Point2& corner, const Point2& to, double offset) {
+  const auto back = touching_move_from(to, corner, -offset);
+  if (!back) return std::nullopt;
+  return ContourMove{corner, back->start, false, {}, false};
+}
+
 /// The crossing of the offsets of two moves that are no neighbours; nothing unless the crossing shortens both of them.
 inline std::optional<Corner> meet(const ContourMove& a, const ContourMove& b, double offset, const Point2& from) {
   if (!a.fits(offset) || !b.fits(offset)) return std::nullopt;

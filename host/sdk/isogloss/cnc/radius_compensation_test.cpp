@@ -144,3 +144,35 @@ TEST_CASE("a cancelling move with a direction ends beside the wall in that direc
   CHECK(parallel.kind == CornerKind::square);
   check_point(parallel.leave, {20, 5});
 }
+
+TEST_CASE("an outer corner up to the limit is passed where the two offsets cross") {
+  const ContourMove along = line({-10, 0}, {0, 0});
+  const auto square = outer_crossing(along, line({0, 0}, {0, -10}), 5, 100);
+  REQUIRE(square);
+  CHECK(square->leave.u == Approx(5));
+  CHECK(square->leave.v == Approx(5));
+  CHECK_FALSE(outer_crossing(along, line({0, 0}, {0, -10}), 5, 89));
+  CHECK(outer_crossing(along, line({0, 0}, {0, -10}), 5, 90));
+  CHECK_FALSE(outer_crossing(along, line({0, 0}, {0, 10}), 5, 180));
+  CHECK_FALSE(outer_crossing(along, line({0, 0}, {10, 0}), 5, 180));
+
+  const ContourMove turn = arc({0, 0}, {5, 5}, {0, 5}, true);  // up at its end, with the tool on the right: outside
+  const auto behind_arc = outer_crossing(turn, line({5, 5}, {0, 10}), -2, 100);
+  REQUIRE(behind_arc);
+  CHECK((behind_arc->leave - turn.center).length() == Approx(7));
+  CHECK(behind_arc->leave.v > 5);
+}
+
+TEST_CASE("a tool behind the contour touches the circle about its first or last point") {
+  const double offset = GENERATE(2.0, -2.0);
+  const Point2 corner{1, 2}, tool{-20, -30};
+  const auto onto = touching_move_from(tool, corner, offset);
+  REQUIRE(onto);
+  CHECK(is_same(onto->offset_start(offset), tool));
+  CHECK((onto->offset_end(offset) - corner).length() == Approx(2));
+  const auto off = touching_move_to(corner, tool, offset);
+  REQUIRE(off);
+  CHECK(is_same(off->offset_end(offset), tool));
+  CHECK((off->offset_start(offset) - corner).length() == Approx(2));
+  CHECK_FALSE(touching_move_from({2, 3}, corner, offset));
+}
