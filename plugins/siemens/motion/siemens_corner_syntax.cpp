@@ -1,5 +1,5 @@
 /// CHF=, CHR= and RND= after a move, and RNDM= after each move: kind and size of the chamfer or rounding at the corner
-/// to the next move. CornerBreakPathSyntax and cutter radius compensation make the path from this state.
+/// to the next move, and its feed by FRC= and FRCM=. CornerBreakPathSyntax and cutter radius compensation make the path from this state.
 #include <cmath>
 
 #include <isogloss/cnc/corner_break_state.hpp>
@@ -13,13 +13,16 @@ namespace {
 
 struct SiemensCorner {
   static constexpr auto spec =
-      ig::syntax("SiemensCornerSyntax", "CHF=, CHR=, RND= and RNDM=: chamfers and roundings of corners.")
-          .after("SiemensUnitSyntax", "SiemensTurnSyntax", "CircularMotionSyntax", "LinearMotionSyntax")
+      ig::syntax("SiemensCornerSyntax", "CHF=, CHR=, RND=, RNDM=, FRC= and FRCM=: chamfers and roundings.")
+          .after("SiemensUnitSyntax", "SiemensTurnSyntax", "FeedrateSyntax", "SpindleSpeedSyntax", "CircularMotionSyntax",
+                 "LinearMotionSyntax")
           .before("CornerBreakPathSyntax", "RadiusCompensationPathSyntax", "UnconsumedCheckSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0286", "{0}{1} is less than 0, so the corner stays sharp: program 0 or more"),
       ig::diagnostic(IG_ERROR, "SIE-0287",
                      "{0} is the second word for this corner and is ignored: chamfer or round it, not both"),
+      ig::diagnostic(IG_ERROR, "SIE-0393",
+                     "{0}{1} is not a feed rate, so the corner is cut with F: program a value greater than 0"),
   };
 
   struct Corner {
@@ -36,6 +39,14 @@ struct SiemensCorner {
   ig::Field<double> modal_{"CornerBreak.ModalRadius_mm",
                            ig::read | ig::write | ig::wake_while,
                            {ig::Life::modal, "mm", "RNDM=, as long as it is in force."}};
+  ig::Word feed_word_{"Parsing.FRC", ig::wake, "mm/min", "Feed of the corner of this block."};
+  ig::Word modal_feed_word_{"Parsing.FRCM", ig::wake, "mm/min", "Feed of all corners; 0 ends it."};
+  ig::Field<double> modal_feed_{"CornerBreak.ModalFeed",
+                                ig::read | ig::write,
+                                {ig::Life::modal, "", "FRCM=, in the unit of F, as long as it is in force."}};
+  ig::In<ig::Symbol> feed_type_{"Feedrate.Term"};
+  ig::In<double> spindle_speed_{"SpindleSpeed.SpindleSpeed_rpm"};
+  ig::Name per_revolution_{"G95"};
   CornerBreakWords corner_;
   ig::In<ig::Symbol> form_{"MotionEvent.Form"};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
@@ -43,7 +54,10 @@ struct SiemensCorner {
 
   ig::Status build(ig::Block& b) const {
     if (const auto radius = b.take(modal_word_)) set_modal(b, *radius);
-    corner_.keep(b, describe(b));
+    if (const auto feed = b.take(modal_feed_word_)) set_modal_feed(b, *feed);
+    auto corner = describe(b);
+    if (corner) corner->feed_mmds = feed(b);
+    corner_.keep(b, corner);
     return ig::Status::changed;
   }
 
@@ -55,6 +69,28 @@ struct SiemensCorner {
       b.set(modal_, radius);
     else if (b.has(modal_))
       b.erase(modal_);
+  }
+
+  void set_modal_feed(ig::Block& b, double feed) const {
+    if (feed < 0)
+      b.report(ig::diag("SIE-0393"), ig::Where::word(modal_feed_word_.id()), std::string_view("FRCM="), feed);
+    else if (feed > 0)
+      b.set(modal_feed_, feed);
+    else if (b.has(modal_feed_))
+      b.erase(modal_feed_);
+  }
+
+  /// FRC= counts in the block of a corner only; elsewhere the word stays, and is reported as unused.
+  std::optional<double> feed(ig::Block& b) const {
+    auto feed = b.take(feed_word_);
+    if (feed && !(*feed > 0)) {
+      b.report(ig::diag("SIE-0393"), ig::Where::word(feed_word_.id()), std::string_view("FRC="), *feed);
+      feed.reset();
+    }
+    if (!feed) feed = b.get(modal_feed_);
+    if (!feed) return std::nullopt;
+    const double mmds = *feed * (b.is(feed_type_, per_revolution_) ? b.get_or(spindle_speed_, 0.0) : 1) / 60;
+    return mmds > 0 ? std::optional(mmds) : std::nullopt;
   }
 
   std::optional<CornerBreakState::Corner> describe(ig::Block& b) const {

@@ -1,0 +1,21 @@
+; FRC= and FRCM=: the feed of chamfers and roundings.
+G17 G710 G90 G94 G0 X0 Y0 Z5
+T1 M6
+S1000 M3 F600
+G1 X10 CHR=2 FRC=60
+Y10 RND=2
+FRCM=120
+X0 RND=2
+Y0 RND=2 FRC=240
+X10 RND=2
+FRCM=0
+Y10 RND=2
+X0 FRC=100
+; Beside the contour, and a feed per revolution.
+G41 Y-10
+X-20 RND=3 FRC=300
+G95 F0.5
+Y-30 CHR=3 FRC=0.1
+X-40
+G40 Y-50
+M30
