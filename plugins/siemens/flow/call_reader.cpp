@@ -126,7 +126,10 @@ ig::Status CallReader::build(ig::Block& b) {
     b.raise(modal_call_);
     return ig::Status::changed;
   }
-  if (repeats_ < 1) return ig::Status::changed;
+  if (repeats_ < 1) {
+    environment_.report_once(b, ig::diag("SIE-0394"), where, begin_, std::string_view(program_.name));
+    return ig::Status::changed;
+  }
   call_program(b, where);
   return ig::Status::changed;
 }

@@ -26,6 +26,8 @@ struct SiemensCall {
       ig::diagnostic(IG_ERROR, "SIE-0171", "'{0}' is not executed: this form of CALL is not supported"),
       ig::diagnostic(IG_ERROR, "SIE-0172",
                      "{0} is not called with P={1}: the number of calls is whole, from 0 to 9999"),
+      ig::diagnostic(IG_WARNING, "SIE-0394",
+                     "{0} is not called, because P is 0: the number of calls is from 1 to 9999"),
       ig::diagnostic(IG_ERROR, "SIE-0173",
                      "{0} is not a known statement, so '{1}' after it is not executed: check the spelling"),
       ig::diagnostic(IG_ERROR, "SIE-0174", "{0} is not executed: {1}"),

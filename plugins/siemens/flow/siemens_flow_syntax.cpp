@@ -34,6 +34,9 @@ struct SiemensFlow {
       ig::diagnostic(IG_ERROR, "SIE-0147", "the section is not repeated, because its label {0} is not found: {1}"),
       ig::diagnostic(IG_WARNING, "SIE-0309",
                      "P={0} is not a whole number from 1: the section is repeated this often: {1}"),
+      ig::diagnostic(IG_WARNING, "SIE-0395",
+                     "the label {0} stands more than once in this program, and a jump goes to the nearest one in its "
+                     "direction: give each label its own name"),
       ig::diagnostic(IG_ERROR, "SIE-0306", "{0} is not executed: RET takes one label or block number, given as a text"),
   };
 
@@ -64,6 +67,8 @@ struct SiemensFlow {
       const std::string name = upper(piece(text, position, end));
       b.set_text(label_, name);
       environment_.flow.label(b, name);
+      label_begin_ = position;
+      label_end_ = end;
       return behind + 1;
     }
     const bool returns_to = at(text, behind) == '(' && equals_ignoring_case(piece(text, position, end), "RET");
@@ -88,7 +93,10 @@ struct SiemensFlow {
       execute(b, {word_, b.source().substr(0, end_statement_), begin_, behind_, environment_.flow.here(b).line});
       any = true;
     }
-    if (b.is_fresh(label_)) sections_.end(b, b.text(label_));
+    if (b.is_fresh(label_)) {
+      report_second(b, b.text(label_));
+      sections_.end(b, b.text(label_));
+    }
     if (b.is_fresh(number_)) sections_.end(b, "N" + std::to_string(b.get_or(number_, std::int64_t{0})));
     return any ? ig::Status::changed : ig::Status::unchanged;
   }
@@ -100,6 +108,17 @@ struct SiemensFlow {
     if (end == position + 1 || !stands_first(text, position)) return position;
     environment_.flow.label(b, "N" + std::string(piece(text, position + 1, end)));
     return end;
+  }
+
+  /// ENDLABEL may end several sections of a program.
+  void report_second(ig::Block& b, std::string_view name) const {
+    if (name == "ENDLABEL" || environment_.flow.here(b).line == 0) return;  // a case of a page is in no program
+    const auto is_there = [&](ig_search where) { return environment_.flow.has_label(b, name, where); };
+    if (!is_there(IG_SEARCH_FORWARD) && !is_there(IG_SEARCH_BACKWARD)) return;
+    std::string place = "SIE-0395\n";
+    place.append(ig::to_view(environment_.flow.frame(b).file)).append(1, '\n').append(name);
+    if (environment_.store().is_first_report(place))
+      b.report(ig::diag("SIE-0395"), ig::Where::columns(label_begin_, label_end_), name);
   }
 
   // ---- One statement
@@ -209,6 +228,7 @@ struct SiemensFlow {
   Jumps jumps_{environment_, stack_};
   Word word_ = Word::none;  // the word that scan() has found
   std::size_t begin_ = 0, behind_ = 0, end_statement_ = 0;
+  std::size_t label_begin_ = 0, label_end_ = 0;
 };
 
 const ig::Register<SiemensFlow> siemens_flow_syntax;

@@ -1,0 +1,26 @@
+%_N_TWICE_MPF
+; PART stands twice: a jump goes to the nearest one in its direction. IDLE is never a target.
+G17 G710 G90 G94 G0 X0 Y0 Z0
+R1=0
+GOTOF PART
+G0 X99
+PART: G0 X1
+IDLE: G0 X2
+IDLE: G0 X3
+R1=R1+1
+IF R1<3 GOTOB PART
+PART: G0 X4
+SECTION: G0 X5
+ENDLABEL:
+REPEAT SECTION P=1
+OTHER: G0 X6
+ENDLABEL:
+REPEAT OTHER P=1
+; P0 calls nothing.
+L100 P0
+L100 P=R1-3
+L100 P1
+M30
+%_N_L100_SPF
+PART: G0 X7
+M17
