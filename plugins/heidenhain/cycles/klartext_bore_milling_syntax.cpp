@@ -31,6 +31,9 @@ struct KlartextBoreMilling {
   ig::In<double> delta_{"RadiusCompensation.Delta_mm"};
   ig::Service<ig_tool_offset_1> table_{"isogloss.tool-offset/1", ig::Need::optional, "The radius of the tool."};
   ScalingInForce scaling_;
+  ig::In<ig::Symbol> feed_on_arcs_{"RadiusCompensation.FeedOnArcs",
+                                   ig::read,
+                                   {ig::Life::modal, "", "Center, Contour or ContourInside: where F holds on an arc."}};
   ig::Signal said_{"CycleDefinition.~Said", ig::read | ig::write, ig::Life::modal};
 
   ig::Status build(ig::Block& b) { return cycle_.run(b, *this); }
@@ -98,10 +101,12 @@ struct KlartextBoreMilling {
   void mill(ig::Block& b, HoleRun& c) const {
     const bool is_climb = cycle_.get_or(b, 351, 1) >= 0, is_ccw = is_climb != spindle_.turns_ccw(b);
     const double sense = is_ccw ? 1 : -1;
+    const double at_wall = b.has(feed_on_arcs_) ? radius_ / (std::fabs(cycle_.get_or(b, 335, 0)) / 2) : 1;
     ToolSteps::Manner feed{false, c.feed, 0};
     ig::Vec3 middle = c.at(c.safe);
     middle[c.plane.first] = rounded(middle[c.plane.first] + radius_ / 2);
     steps_.arc(b, on_circle(c, c.safe, 0, sense), middle, is_ccw, feed);
+    feed.feed_mmds = c.feed * at_wall;
     const double whole = std::round(turns_);
     const bool is_whole = std::fabs(turns_ - whole) < 1e-9;
     const double turned = is_whole ? whole : turns_;

@@ -11,17 +11,19 @@ Value CornerWords::size(ig::Block& b, const Values& values, std::string_view tex
   return i < text.size() ? values.read(b, text, i) : Value{};
 }
 
-std::size_t CornerWords::feed(ig::Block& b, std::string_view text, std::size_t position, PathFunction function) const {
-  std::size_t end = std::max(position + 1, word_end(text, position));
-  if (end == position + 1) {
-    const std::size_t value = skip_blanks(text, end);
-    const char c = to_upper(at(text, value));
-    const bool has_value = is_digit(c) || c == '.' || c == '+' || c == 'Q' || keyword(text, value, "MAX") != value ||
-                           keyword(text, value, "AUTO") != value;
-    if (!has_value) return end;
-    end = word_end(text, value);
-  }
-  b.report(ig::diag("HEI-0181"), ig::Where::columns(position, end), piece(text, position, end), name_of(function));
+std::size_t CornerWords::feed(ig::Block& b, const Values& values, const FeedWords& words, std::string_view text,
+                              std::size_t position, PathFunction function) const {
+  bool is_rapid = false;
+  const std::size_t end = words.scan(b, values, text, position, is_rapid);
+  if (is_rapid)
+    b.report(ig::diag("HEI-0181"), ig::Where::columns(position, end), piece(text, position, end), name_of(function));
+  const auto feed = words.take(b);
+  if (!feed) return end;
+  const double mmds = feed->value * (feed->is_per_revolution ? b.get_or(speed_, 0.0) : unit_.in_mm(b)) / 60;
+  if (mmds > 0)
+    b.set(feed_mmds_, mmds);
+  else if (!(feed->value > 0))
+    b.report(ig::diag("ISO-0210"), ig::Where::columns(position, end), feed->value);
   return end;
 }
 

@@ -74,6 +74,21 @@ class FeedWords {
       b.erase(tool_feed_per_revolution_);
   }
   std::optional<double> word(const ig::Block& b) const { return b.get(f_); }
+  /// A feed that counts in its own statement alone, in the program's unit a minute, or mm a revolution.
+  struct Own {
+    double value;
+    bool is_per_revolution;
+  };
+  /// Takes the F that scan() has just read, and the code of its mode: the feed in force stays. Nothing after FMAX.
+  std::optional<Own> take(ig::Block& b) const {
+    const auto f = b.get(f_);
+    const bool is_per_revolution = b.has(modes_.id(1)) || (b.is(mode_, g95_) && !b.has(modes_.id(0)));
+    for (const std::size_t mode : {0u, 1u})
+      if (b.has(modes_.id(mode))) b.erase(modes_.id(mode));
+    if (!f) return std::nullopt;
+    b.erase(f_);
+    return Own{*f, is_per_revolution};
+  }
   const FeedUnit& unit() const { return unit_; }
   std::optional<double> of_tool_call(const ig::Block& b) const { return b.get(tool_feed_); }
 

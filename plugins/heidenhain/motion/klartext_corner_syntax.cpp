@@ -27,6 +27,7 @@ struct KlartextCorner {
   ig::In<ig::Symbol> form_{"MotionEvent.Form", ig::read | ig::ends_ahead};
   ig::In<double> radius_{"KlartextCorner.Radius_mm", ig::wake | ig::ends_ahead, {ig::Life::block, "mm", "RND R"}};
   ig::In<double> chamfer_{"KlartextCorner.Chamfer_mm", ig::wake | ig::ends_ahead, {ig::Life::block, "mm", "CHF"}};
+  ig::In<double> feed_{"KlartextCorner.Feedrate_mmds", ig::read, {ig::Life::block, "mm/s", "F of RND or CHF"}};
   ig::Signal open_{"KlartextCorner.~Open", ig::read | ig::wake_while, ig::Life::modal};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   ig::In<ig::Symbol> compound_{"CompoundMotion.Term", ig::read | ig::ends_ahead};
@@ -75,8 +76,10 @@ struct KlartextCorner {
       if (ahead.has_any(form_, compound_)) return false;
       if (!ahead.has_any(radius_, chamfer_)) continue;
       const bool is_rounding = ahead.has(radius_);
-      corner_.set(b, is_rounding ? CornerBreakState::Corner{rnd_, CornerShape::rounding, ahead.get_or(radius_, 0.0)}
-                                 : CornerBreakState::Corner{chf_, CornerShape::legs, ahead.get_or(chamfer_, 0.0)});
+      CornerBreakState::Corner corner{rnd_, CornerShape::rounding, ahead.get_or(radius_, 0.0)};
+      if (!is_rounding) corner = {chf_, CornerShape::legs, ahead.get_or(chamfer_, 0.0)};
+      corner.feed_mmds = ahead.get(feed_);
+      corner_.set(b, corner);
       return true;
     }
     return false;

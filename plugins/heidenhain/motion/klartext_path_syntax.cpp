@@ -167,7 +167,8 @@ struct KlartextPath {
       case 'F': return feed_.scan(b, values_, text, i, path.is_rapid);
       case 'M': return m_.scan(b, values_, text, i);
       case 'R':
-        if (path.function == CR && !ContourSide::begins(text, i) && !(ContourSide::ends(text, i) && b.has(radius_)))
+        // No arc has a radius of 0, so R0 ends RL and RR here as well.
+        if (path.function == CR && !ContourSide::begins(text, i) && !ContourSide::ends(text, i))
           return put(b, text, i, i + 1, radius_, path);
         return side_.scan(b, text, i, path.approach.is_beside);
       case 'D': {
@@ -314,7 +315,7 @@ struct KlartextPath {
     for (std::size_t i = skip(text, v.end); i < path.end; i = skip(text, i)) {
       const char c = to_upper(text[i]);
       std::size_t next = c == 'M' ? m_.scan(b, values_, text, i) : i;
-      if (c == 'F') next = corner_.feed(b, text, i, path.function);
+      if (c == 'F') next = corner_.feed(b, values_, feed_, text, i, path.function);
       if (next == i) {
         unknown(b, text, i, path);
         break;

@@ -82,6 +82,9 @@ class MFunctions {
                             {ig::Life::modal, "", "M89: each positioning block calls the cycle."}};
   ig::Out<ig::Symbol> rotary_path_{"RotaryPath.Term",
                                    {ig::Life::modal, "", "M126 or M127: how rotary axes go to a position."}};
+  ig::Out<ig::Symbol> feed_on_arcs_{
+      "RadiusCompensation.FeedOnArcs",
+      {ig::Life::modal, "", "Center, Contour or ContourInside: where F holds on an arc."}};
   RotaryAxes axes_;
   ig::Signal per_revolution_{"KlartextFeed.~PerRevolution", ig::write, ig::Life::modal};
 };
