@@ -158,7 +158,7 @@ class HoleCycle {
 
   /// Moves to the safe level above hole `i`; false behind the last one.
   bool go_to(ig::Block& b, Call& call, std::int64_t i) const;
-  /// The block's own move, by rapid or by feed. CYCL CALL POS goes to its point by rapid, not below the safe level.
+  /// The block's own move, by rapid or by feed. CYCL CALL POS goes to its point not below the safe level.
   void position(ig::Block& b, Call& call) const;
   /// The feed in force in mm/s; 0, with a diagnostic, where there is none.
   double feed_of_way(ig::Block& b) const;
@@ -177,6 +177,11 @@ class HoleCycle {
   ig::In<bool> at_position_{"KlartextCycle.IsAtPosition",
                             ig::read,
                             {ig::Life::block, "", "CYCL CALL POS: the block goes to the point first."}};
+  ig::In<double> way_feed_{"KlartextCycle.WayFeed",
+                           ig::read,
+                           {ig::Life::block, "", "F of CYCL CALL POS, for the way to its point: mm/min, or mm/rev."}};
+  ig::In<bool> way_per_revolution_{
+      "KlartextCycle.IsWayPerRevolution", ig::read, {ig::Life::block, "", "WayFeed is mm/rev."}};
   ig::Signal done_{"KlartextCycle.~Done", ig::read | ig::write};
   ig::In<std::int64_t> number_{
       "CycleDefinition.Number", ig::read, {ig::Life::modal, "", "The cycle that CYCL CALL runs."}};

@@ -24,21 +24,24 @@ void HoleCycle::position(ig::Block& b, Call& call) const {
   c.level = c.hole[tool];
   if (call.named.mask == 0) return;
   ig::Vec3 to = call.named.or_else(c.hole);
+  const auto code = b.find(motions_);
+  const double feed = code && *code == 0 ? 0 : feed_of_way(b);
   if (b.has(at_position_)) {
     const bool is_below = (c.safe - c.level) * (c.safe - c.bottom) > 0;
-    if (is_below) rapid_to(b, c, c.safe);
+    if (is_below) feed_to(b, c, c.safe, feed);
     to[tool] = c.level;
   }
   c.hole = to;
-  const auto code = b.find(motions_);
-  if (b.has(at_position_) || (code && *code == 0))
-    motion.rapid_to(b, to);
+  if (feed > 0 || !(code && *code == 0))
+    motion.feed_to(b, to, feed);
   else
-    motion.feed_to(b, to, feed_of_way(b));
+    motion.rapid_to(b, to);
 }
 
 double HoleCycle::feed_of_way(ig::Block& b) const {
-  const double mmds = in_mmds(b, b.get_or(feed_, 0.0));
+  const auto own = b.get(way_feed_);
+  const double mmds = own ? *own * (b.get_or(way_per_revolution_, false) ? speed(b) : 1) / 60
+                          : in_mmds(b, b.get_or(feed_, 0.0));
   if (!(mmds > 0)) in_force_.report_missing(b);
   return mmds;
 }

@@ -37,6 +37,10 @@ struct KlartextCycle {
   ig::Out<bool> modal_call_{"KlartextCycle.IsModal",
                             {ig::Life::modal, "", "M89: each positioning block calls the cycle."}};
   ig::Xyz axes_{"Parsing", ig::read | ig::write};
+  ig::Out<double> way_feed_{"KlartextCycle.WayFeed",
+                            {ig::Life::block, "", "F of CYCL CALL POS, for the way to its point: mm/min, or mm/rev."}};
+  ig::Out<bool> way_per_revolution_{"KlartextCycle.IsWayPerRevolution", {ig::Life::block, "", "WayFeed is mm/rev."}};
+  ProgramUnit unit_;
   ig::Codes motions_{{"G00", "G01"}, ig::write};
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
@@ -151,6 +155,7 @@ struct KlartextCycle {
     if (is_positioned) b.set(at_position_, true);
     const bool is_moving = is_positioned || pattern != i;
     i = std::max(position, pattern);
+    const std::size_t behind = i;
     while ((i = skip(text, i)) < text.size()) {
       const std::size_t next = call_word(b, text, i, is_positioned, is_rapid);
       if (next == i) {
@@ -160,12 +165,35 @@ struct KlartextCycle {
       i = next;
     }
     if (is_moving) put_code(b, motions_.id(is_rapid ? 0 : 1), begin, begin + 9);
+    if (!is_positioned) return;
+    report_missing_axes(b, begin, behind);
+  }
+
+  void keep_way_feed(ig::Block& b) const {
+    const auto feed = text_.feed().take(b);
+    if (!feed) return;
+    b.set(way_feed_, feed->is_per_revolution ? feed->value : feed->value * unit_.in_mm(b));
+    b.set(way_per_revolution_, feed->is_per_revolution);
+  }
+
+  /// The manual wants all three: without one the tool stays where it is in that axis.
+  void report_missing_axes(ig::Block& b, std::size_t begin, std::size_t end) const {
+    std::string missing;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (!b.has(axes_.id(axis))) missing.append(missing.empty() ? "" : " ").push_back(axis_letters[axis]);
+    if (!missing.empty())
+      b.report(ig::diag("HEI-0104"), ig::Where::columns(begin, end), std::string_view("CYCL CALL POS"),
+               std::string_view(missing));
   }
 
   std::size_t call_word(ig::Block& b, std::string_view text, std::size_t i, bool is_positioned, bool& is_rapid) const {
     const char c = to_upper(text[i]);
     if (c == 'M') return m_.scan(b, text_.values(), text, i);
-    if (c == 'F') return text_.feed().scan(b, text_.values(), text, i, is_rapid);
+    if (c == 'F') {
+      const std::size_t end = text_.feed().scan(b, text_.values(), text, i, is_rapid);
+      if (is_positioned) keep_way_feed(b);
+      return end;
+    }
     const std::size_t axis = std::string_view("XYZ").find(c);
     if (axis > 2 || !is_positioned) return i;
     const Value v = text_.values().read(b, text, i + 1);
