@@ -48,6 +48,7 @@ std::size_t PlaneStatement::behind_cycle_19(std::string_view text, std::size_t p
 void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t position,
                                 const std::optional<ig::Vec3>& in_force, PlaneCommand& command) const {
   bool any = false, is_tilted = false;
+  std::optional<ig::Where> feed_word;
   command.is_cycle = true;
   for (std::size_t i = skip(text, position); i < text.size(); i = skip(text, i)) {
     const std::size_t axis = std::string_view("ABC").find(to_upper(text[i]));
@@ -60,7 +61,9 @@ void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t
     } else if (const std::size_t end = distance_at(b, text, i, command); end != i) {
       i = end;
     } else if (to_upper(text[i]) == 'F') {
+      const std::size_t begin = i;
       i = feed_.scan(b, values_, text, i, command.is_rapid);
+      feed_word = ig::Where::columns(begin, i);
     } else {
       report_not_a_word(b, text, i, "CYCL DEF 19");
       break;
@@ -75,11 +78,18 @@ void PlaneStatement::read_cycle(ig::Block& b, std::string_view text, std::size_t
   const bool has_feed = command.is_rapid || feed_.word(b);
   const bool positions = command.distance_word && has_feed && cycle_positions_ == CyclePositions::positions;
   command.move = positions ? PlaneCommand::Move::move : PlaneCommand::Move::stay;
-  if (command.distance_word && !positions)
+  if (positions) return;
+  const bool stays = cycle_positions_ == CyclePositions::stays;
+  constexpr std::string_view by_program =
+      "the program positions the rotary axes, unless the option cycle-19 says otherwise";
+  if (command.distance_word)
     b.report(ig::diag("HEI-0140"), *command.distance_word, std::string_view("DIST of CYCL DEF 19"),
-             std::string_view(cycle_positions_ == CyclePositions::stays
-                                  ? "the program positions the rotary axes, unless the option cycle-19 says otherwise"
-                                  : "the cycle positions the rotary axes where F stands beside it"));
+             stays ? by_program : std::string_view("the cycle positions the rotary axes where F stands beside it"));
+  else if (feed_word)
+    b.report(ig::diag("HEI-0140"), *feed_word, std::string_view("F of CYCL DEF 19"),
+             stays ? by_program : std::string_view("the cycle positions the rotary axes where DIST stands beside it"));
+  feed_.take(b);
+  command.is_rapid = false;
 }
 
 std::size_t PlaneStatement::distance_at(ig::Block& b, std::string_view text, std::size_t position,
