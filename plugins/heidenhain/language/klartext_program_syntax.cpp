@@ -19,6 +19,8 @@ struct KlartextProgram {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "HEI-0190",
                      "the program ends here without END PGM, M2 or M30: the file may have been cut off"),
+      ig::diagnostic(IG_ERROR, "HEI-0395",
+                     "BEGIN PGM {0} stands inside a program, and its unit counts from here on: close the first program"),
   };
 
   Values values_;
@@ -148,6 +150,8 @@ struct KlartextProgram {
       values_.flow().label(b, name_, IG_LABEL_PROGRAM);
       return end;
     }
+    if (b.is_raised(begun_) && values_.flow().frame(b).depth == 0)
+      b.report(ig::diag("HEI-0395"), ig::Where::columns(position, end), found.name);
     b.raise(begun_);
     if (found.unit.empty())
       b.report(ig::diag("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
