@@ -40,8 +40,8 @@ void HoleCycle::position(ig::Block& b, Call& call) const {
 
 double HoleCycle::feed_of_way(ig::Block& b) const {
   const auto own = b.get(way_feed_);
-  const double mmds = own ? *own * (b.get_or(way_per_revolution_, false) ? speed(b) : 1) / 60
-                          : in_mmds(b, b.get_or(feed_, 0.0));
+  const double mmds =
+      own ? *own * (b.get_or(way_per_revolution_, false) ? speed(b) : 1) / 60 : in_mmds(b, b.get_or(feed_, 0.0));
   if (!(mmds > 0)) in_force_.report_missing(b);
   return mmds;
 }

@@ -19,8 +19,9 @@ struct KlartextProgram {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "HEI-0190",
                      "the program ends here without END PGM, M2 or M30: the file may have been cut off"),
-      ig::diagnostic(IG_ERROR, "HEI-0395",
-                     "BEGIN PGM {0} stands inside a program, and its unit counts from here on: close the first program"),
+      ig::diagnostic(
+          IG_ERROR, "HEI-0395",
+          "BEGIN PGM {0} stands inside a program, and its unit counts from here on: close the first program"),
   };
 
   Values values_;

@@ -78,7 +78,8 @@ std::size_t MFunctions::scan(ig::Block& b, const Values& values, std::string_vie
 }
 
 bool MFunctions::knows(std::uint32_t m) const {
-  for (const std::uint32_t own : {13u,  14u,  89u,  91u,  92u,  94u,  99u, 109u, 110u, 111u, 126u, 127u, 128u, 129u, 136u, 137u, 140u})
+  for (const std::uint32_t own :
+       {13u, 14u, 89u, 91u, 92u, 94u, 99u, 109u, 110u, 111u, 126u, 127u, 128u, 129u, 136u, 137u, 140u})
     if (m == own) return true;
   for (const NotExecuted& known : not_executed)
     if (m == known.number) return true;
@@ -146,9 +147,7 @@ std::size_t MFunctions::execute(ig::Block& b, const Values& values, std::string_
     case 94: return reduce(b, text, m);
     case 109: b.set(feed_on_arcs_, b.symbol("Contour")); return m.end;
     case 110: b.set(feed_on_arcs_, b.symbol("ContourInside")); return m.end;
-    case 111:
-      if (b.has(feed_on_arcs_)) b.erase(feed_on_arcs_);
-      return m.end;
+    case 111: b.erase(feed_on_arcs_); return m.end;
     case 126:
     case 127: b.set(rotary_path_, b.symbol(m.number == 126 ? "M126" : "M127")); return m.end;
     case 128: lead_tip(b, m); return behind_m128_feed(b, values, text, m.end);

@@ -209,8 +209,8 @@ CompensatedPath::FeedOnArcs CompensatedPath::feed_on_arcs(const ig::Block& b) co
   return feed_on_arcs_;
 }
 
-ToolSteps::Manner CompensatedPath::on_arc(const ig::Block& b, const ContourMotion& now,
-                                          const ToolSteps::Manner& manner, double offset) const {
+ToolSteps::Manner CompensatedPath::on_arc(const ig::Block& b, const ContourMotion& now, const ToolSteps::Manner& manner,
+                                          double offset) const {
   const FeedOnArcs at = feed_on_arcs(b);
   const double contour = (now.move.end - now.move.center).length();
   const double path = now.move.path_radius(now.move.end, offset);

@@ -74,10 +74,10 @@ class CompensatedPath {
                                                  parameters_.number("RadiusCompensationStartUp").value_or(0) != 0);
   ig::Choice<OuterCorner> outer_corner_{"outer-corner", "lines|arc", "lines",
                                         "How the tool moves round an outer corner."};
-  ig::In<double> corner_limit_{"RadiusCompensation.CornerLimit_deg",
-                               ig::read,
-                               {ig::Life::modal, "deg",
-                                "Outer corners that bend by at most this are passed where the offsets cross."}};
+  ig::In<double> corner_limit_{
+      "RadiusCompensation.CornerLimit_deg",
+      ig::read,
+      {ig::Life::modal, "deg", "Outer corners that bend by at most this are passed where the offsets cross."}};
   ig::Choice<FeedOnArcs> feed_on_arcs_{"feed-on-arcs", "center|contour|contour-inside", "center",
                                        "Where F holds on an arc: at the tool centre, or at the contour."};
   ig::In<ig::Symbol> feed_at_{"RadiusCompensation.FeedOnArcs",

@@ -229,10 +229,10 @@ class ContourAhead {
   ig::In<double> radius_{"RadiusCompensation.Radius_mm"};
   ig::Xyz cancel_direction_{"RadiusCompensation.CancelDirection", ig::read, {ig::Life::block, "mm", ""}};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
-  ig::In<bool> goes_round_{"RadiusCompensation.GoesRoundEnds",
-                           ig::read,
-                           {ig::Life::modal, "",
-                            "A tool behind the contour goes round its first and last point, not straight to it."}};
+  ig::In<bool> goes_round_{
+      "RadiusCompensation.GoesRoundEnds",
+      ig::read,
+      {ig::Life::modal, "", "A tool behind the contour goes round its first and last point, not straight to it."}};
   ig::In<ig::Symbol> corner_arc_{"RadiusCompensation.CornerArc"};
   ig::In<ig::Symbol> call_{"SubProgramCall.Term"}, return_{"SubProgramReturn.Term"};
   ig::Signal macro_statement_{"Parsing.~MacroStatement", ig::read}, macro_call_{"Parsing.~MacroCall", ig::read};

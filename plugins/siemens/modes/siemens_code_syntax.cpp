@@ -78,10 +78,10 @@ struct SiemensCode {
 
   // Smoothing, limits and the start angle of a thread: they do not change end points. For splines the code itself
   // reports that the curve is missing.
-  std::array<ig::Word, 13> quiet_{ig::Word{"Parsing.OVRRAP"}, ig::Word{"Parsing.ALF"},   ig::Word{"Parsing.DILF"},
+  std::array<ig::Word, 13> quiet_{ig::Word{"Parsing.OVRRAP"}, ig::Word{"Parsing.ALF"},     ig::Word{"Parsing.DILF"},
                                   ig::Word{"Parsing.ADIS"},   ig::Word{"Parsing.ADISPOS"}, ig::Word{"Parsing.CTOL"},
-                                  ig::Word{"Parsing.OTOL"},   ig::Word{"Parsing.STOLF"}, ig::Word{"Parsing.LIMS"},
-                                  ig::Word{"Parsing.SF"},     ig::Word{"Parsing.SD"},    ig::Word{"Parsing.PW"},
+                                  ig::Word{"Parsing.OTOL"},   ig::Word{"Parsing.STOLF"},   ig::Word{"Parsing.LIMS"},
+                                  ig::Word{"Parsing.SF"},     ig::Word{"Parsing.SD"},      ig::Word{"Parsing.PW"},
                                   ig::Word{"Parsing.PL"}};
 
   ig::Status build(ig::Block& b) {
@@ -107,7 +107,8 @@ struct SiemensCode {
 
  private:
   static bool is_additional(std::string_view missing) {
-    return missing.starts_with("OFFN=") || missing.starts_with("DISC=") || missing.starts_with("TOFF") || missing.starts_with("DL=");
+    return missing.starts_with("OFFN=") || missing.starts_with("DISC=") || missing.starts_with("TOFF") ||
+           missing.starts_with("DL=");
   }
   static std::vector<Word> declared_words() {
     struct Known {

@@ -18,19 +18,22 @@ struct SiemensCompensationMode {
   ig::Codes corners_{"G450", "G451"};
   ig::Codes ends_{"NORM", "KONT", "KONTT", "KONTC"};
   ig::Codes feeds_{"CFC", "CFTCP", "CFIN"};
-  ig::Field<double> limit_{"RadiusCompensation.CornerLimit_deg",
-                           ig::read | ig::write,
-                           {ig::Life::modal, "deg",
-                            "Outer corners that bend by at most this are passed where the offsets cross."}};
-  ig::Field<bool> goes_round_{"RadiusCompensation.GoesRoundEnds",
-                              ig::read | ig::write,
-                              {ig::Life::modal, "",
-                               "A tool behind the contour goes round its first and last point, not straight to it."}};
+  ig::Field<double> limit_{
+      "RadiusCompensation.CornerLimit_deg",
+      ig::read | ig::write,
+      {ig::Life::modal, "deg", "Outer corners that bend by at most this are passed where the offsets cross."}};
+  ig::Field<bool> goes_round_{
+      "RadiusCompensation.GoesRoundEnds",
+      ig::read | ig::write,
+      {ig::Life::modal, "", "A tool behind the contour goes round its first and last point, not straight to it."}};
   ig::Field<ig::Symbol> feed_{"RadiusCompensation.FeedOnArcs",
                               ig::read | ig::write,
                               {ig::Life::modal, "", "Center, Contour or ContourInside: where F holds on an arc."}};
   ig::Name center_{"Center"}, inside_{"ContourInside"};
-  ig::NumberOption corner_limit_{"corner-limit", "100", {0, 180}, "deg",
+  ig::NumberOption corner_limit_{"corner-limit",
+                                 "100",
+                                 {0, 180},
+                                 "deg",
                                  "Up to which bend G451 passes an outer corner where the offsets cross (MD 20210)."};
 
   ig::Status build(ig::Block& b) const {

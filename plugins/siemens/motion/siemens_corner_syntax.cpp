@@ -1,5 +1,6 @@
 /// CHF=, CHR= and RND= after a move, and RNDM= after each move: kind and size of the chamfer or rounding at the corner
-/// to the next move, and its feed by FRC= and FRCM=. CornerBreakPathSyntax and cutter radius compensation make the path from this state.
+/// to the next move, and its feed by FRC= and FRCM=. CornerBreakPathSyntax and cutter radius compensation make the path
+/// from this state.
 #include <cmath>
 
 #include <isogloss/cnc/corner_break_state.hpp>
@@ -14,8 +15,8 @@ namespace {
 struct SiemensCorner {
   static constexpr auto spec =
       ig::syntax("SiemensCornerSyntax", "CHF=, CHR=, RND=, RNDM=, FRC= and FRCM=: chamfers and roundings.")
-          .after("SiemensUnitSyntax", "SiemensTurnSyntax", "FeedrateSyntax", "SpindleSpeedSyntax", "CircularMotionSyntax",
-                 "LinearMotionSyntax")
+          .after("SiemensUnitSyntax", "SiemensTurnSyntax", "FeedrateSyntax", "SpindleSpeedSyntax",
+                 "CircularMotionSyntax", "LinearMotionSyntax")
           .before("CornerBreakPathSyntax", "RadiusCompensationPathSyntax", "UnconsumedCheckSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "SIE-0286", "{0}{1} is less than 0, so the corner stays sharp: program 0 or more"),

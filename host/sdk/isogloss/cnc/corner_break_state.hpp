@@ -15,8 +15,8 @@ class CornerBreakState {
   struct Corner {
     Symbol term;  ///< the control's own name for it
     CornerShape shape = CornerShape::legs;
-    double size = 0;        ///< mm; see CornerShape
-    bool is_modal = false;  ///< set for every corner: a block without a corner is no fault
+    double size = 0;                                 ///< mm; see CornerShape
+    bool is_modal = false;                           ///< set for every corner: a block without a corner is no fault
     std::optional<double> feed_mmds = std::nullopt;  ///< of the corner; that of the move before it without a value
   };
   explicit CornerBreakState(Access access)
