@@ -3,6 +3,7 @@
 #include "cycles/cycle_text.hpp"
 #include "cycles/hole_pattern.hpp"
 #include "language/block_words.hpp"
+#include "language/file_name.hpp"
 #include "motion/m_functions.hpp"
 
 namespace heidenhain {
@@ -27,6 +28,7 @@ struct KlartextCycle {
   CycleDefinition definition_{ig::read | ig::write};
   HolePattern pattern_{ig::write};
   ig::Out<std::int64_t> number_{"CycleDefinition.Number", {ig::Life::modal, "", "The cycle that CYCL CALL runs."}};
+  ig::Out<ig::Symbol> program_{"CycleDefinition.Program", {ig::Life::modal, "", "The program that cycle 12 calls."}};
   ig::Signal said_{"CycleDefinition.~Said", ig::write, ig::Life::modal};
   ig::Signal is_open_{"CycleDefinition.~Open", ig::read | ig::write, ig::Life::modal};
   ig::In<std::int64_t> n_{"Source.N"};
@@ -84,6 +86,7 @@ struct KlartextCycle {
       definition_.clear(b);
       b.set(number_, static_cast<std::int64_t>(number->cycle));
       b.erase(said_);
+      b.erase(program_);
       b.erase(modal_call_);
       if (!number->part) b.raise(is_open_);
       if (!waits_for_call(number->cycle))
@@ -103,6 +106,7 @@ struct KlartextCycle {
     const std::uint32_t most = number.cycle == 1 ? 5 : number.cycle == 2 ? 4 : 3;
     if (b.get_or(number_, std::int64_t{0}) != number.cycle || (is_known && *number.part > most))
       return report_without_meaning(b, text, definition, "CYCL DEF");
+    if (number.cycle == 12 && *number.part == 1) return program(b, text, number.end);
     if (!is_known) return;  // reported where the cycle began
     const Value v = text_.number_behind(b, text, number.end);
     const auto where = ig::Where::columns(number.end, std::max(number.end + 1, v.ok ? v.end : text.size()));
@@ -111,6 +115,17 @@ struct KlartextCycle {
     else if (std::isfinite(v.number))
       definition_.set(b, *number.part, v.number);
     if (v.ok) report_rest(b, text, v.end, "CYCL DEF");
+  }
+
+  /// CYCL DEF 12.1 PGM TNC:\FOLDER\NAME.H
+  void program(ig::Block& b, std::string_view text, std::size_t i) const {
+    const std::size_t word = skip(text, i);
+    const auto path = file_name_at(b, text_.values(), text, skip(text, keyword(text, word, "PGM")));
+    if (path && !path->empty())
+      b.set(program_, b.symbol(*path));
+    else if (path)
+      b.report(ig::diag("HEI-0104"), ig::Where::columns(i, std::max(i + 1, text.size())), std::string_view("CYCL DEF"),
+               std::string_view("the name of the program"));
   }
 
   std::size_t parameters(ig::Block& b, std::string_view text, std::size_t position) const {

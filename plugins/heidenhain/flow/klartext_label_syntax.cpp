@@ -20,7 +20,6 @@ struct KlartextLabel {
                                    .scans("CLScls")
                                    .scans_ahead();
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "HEI-0121", "the program {0} is not found, so it is not called: {1}"),
       ig::diagnostic(
           IG_ERROR, "HEI-0392",
           "LBL {0} stands more than once in this program, which a control refuses: give each label its own name"),
