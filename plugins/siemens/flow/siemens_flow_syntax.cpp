@@ -42,6 +42,8 @@ struct SiemensFlow {
 
   Environment environment_;
   ig::Signal statement_{"Parsing.~FlowStatement", ig::read | ig::write | ig::wake};
+  /// No block without a move for cutter radius compensation: the control makes no block of it.
+  ig::Signal macro_statement_{"Parsing.~MacroStatement", ig::write};
   ig::TextField label_{"Label.Name", ig::read | ig::write | ig::wake, {ig::Life::block, "", "The block's label."}};
   ig::In<std::int64_t> number_{"Source.N"};
   ig::Signal numbers_end_{"SiemensFlow.~NumbersEnd", ig::write | ig::wake_while, ig::Life::modal};
@@ -82,6 +84,7 @@ struct SiemensFlow {
     behind_ = is_section ? skip_name(text, behind) : end;
     end_statement_ = statement_text_end(text, position);
     b.raise(statement_);
+    b.raise(macro_statement_);
     return statement_end(text, position);
   }
 

@@ -148,6 +148,7 @@ std::size_t WordReader::assignment(ig::Block& b, std::string_view text, std::siz
 void WordReader::assign(ig::Block& b, const Expression::Reference& to, const Value& value, std::size_t begin,
                         std::size_t end) const {
   VariableStore& store = environment_.store();
+  b.raise(macro_statement_);
   environment_.note_write(b, to.name, value);
   if (to.is_r) {
     if (value.is_text())

@@ -30,6 +30,8 @@ class WordReader {
   AssignedFrame frame_{ig::write};
   ig::TextField tool_name_{"ToolName.Text", ig::write, {ig::Life::block, "", "T=\"…\" of this block."}};
   Environment environment_;
+  /// An assignment: the control makes no block without a move of it.
+  ig::Signal macro_statement_{"Parsing.~MacroStatement", ig::write};
   OtherMeaning other_meaning_{ig::read};
   MachineCodes machine_;
   MachineCodeRecord record_;

@@ -1,0 +1,39 @@
+; Assignments, loops and M codes between the moves of a contour under G41: the control looks past them.
+G17 G710 G90 G94 G0 X-20 Y-20 Z5
+T1 M6
+S1000 M3 F600
+R1=0 R2=0 R3=0
+G41 G1 X0 Y0
+WHILE R1<3
+R1=R1+1
+R2=R1*10
+R3=R2*R2/20
+R4=R1+R2
+R5=R4*2
+R6=SIN(R5)
+R7=R6-1
+IF R3>100
+R3=100
+ENDIF
+IF R1==2
+MSG("TWO")
+ENDIF
+X=R2 Y=R3
+ENDWHILE
+M8
+M9
+M8
+M7
+M9
+Y-30
+X60 RND=5
+M8
+M9
+Y-60
+G40 X80
+X90 CHR=2
+M8
+M7
+M9
+Y-50
+M30
