@@ -118,6 +118,11 @@ const ig::Diagnostics shared_diagnostics{
                    "G39 needs a block of its own, under G41 or G42, between two moves in the plane. Without I, J and "
                    "K, the move after it decides where the arc ends.",
                    "G41 ... (then) G39 X10."),
+    ig::diagnostic(IG_WARNING, "ISO-0621",
+                   "{0} does not fit between its moves, so it is made with {1} mm: program a smaller one",
+                   "The chamfer or the rounding needs more of one of the two moves than it has. The control makes it "
+                   "smaller without an alarm.",
+                   "G1 X10 RND=20"),
     ig::diagnostic(IG_ERROR, "ISO-0480", "{0} is not executed, the corner stays sharp: {1}",
                    "A chamfer (,C) or a rounding (,R) needs a feed move in the plane on each side, both long enough; "
                    "one block without a move may come between them. The tool goes to the corner itself.",

@@ -22,6 +22,7 @@ class BrokenContour {
     bool is_expected = false;             ///< an unbroken corner here needs no report
     bool begins_behind_corner = false;
     std::optional<double> corner_feed_mmds{};  ///< where it is not that of the move
+    std::optional<double> reduced_to{};        ///< the size with which the corner fits, in place of the programmed one
   };
 
   void forget() { start_.reset(); }
@@ -40,7 +41,7 @@ class BrokenContour {
     const auto wanted = state_.get(b);
     if (!wanted) return piece;
     CornerBreaking broken;
-    piece.unbroken = find(b, now, begin, *wanted, broken);
+    piece.unbroken = find(b, now, begin, *wanted, broken, piece.reduced_to);
     piece.is_expected = wanted->is_modal && broken.why == Unbroken::no;
     if (!piece.unbroken.empty() || broken.why != Unbroken::no) return piece;
     ContourMotion corner = now;
@@ -57,6 +58,7 @@ class BrokenContour {
   }
 
   void report(ig::Block& b, const Piece& piece) const {
+    if (piece.corner && piece.reduced_to) b.report(ig::diag("ISO-0621"), where(b), b.text(term(b)), *piece.reduced_to);
     if (piece.unbroken.empty() || piece.is_expected) return;
     b.report(ig::diag("ISO-0480"), where(b), b.text(term(b)), piece.unbroken);
     if (unfit_ == Unfit::alarm) b.alarm();
@@ -68,7 +70,7 @@ class BrokenContour {
   }
 
  private:
-  enum class Unfit { alarm, said };
+  enum class Unfit { alarm, said, reduced };
 
   ig::Where where(const ig::Block& b) const {
     for (std::size_t i = 0; i < words_.size(); ++i)
@@ -84,7 +86,8 @@ class BrokenContour {
 
   /// The reason why the corner is not broken; empty where it is broken, or where there is none to break.
   std::string_view find(ig::Block& b, const ContourMotion& now, const Point2& begin,
-                        const CornerBreakState::Corner& wanted, CornerBreaking& out) const {
+                        const CornerBreakState::Corner& wanted, CornerBreaking& out,
+                        std::optional<double>& reduced) const {
     if (now.kind != ContourMotion::Kind::move || b.get_or(is_rapid_, false))
       return "its block makes no feed move in the plane";
     if (rises(now)) return "its move leaves the plane";
@@ -92,6 +95,10 @@ class BrokenContour {
     ContourMotion next;
     if (const std::string_view why = find_next(b, now, next); !why.empty()) return why;
     out = break_corner(now.move, begin, next.move, wanted.size, wanted.shape);
+    if (unfit_ == Unfit::reduced && is_too_large(out.why)) {
+      reduced = fitting_size(now.move, begin, next.move, wanted);
+      if (reduced) out = break_corner(now.move, begin, next.move, *reduced, wanted.shape);
+    }
     switch (out.why) {
       case Unbroken::doubles_back: return "the next move goes back the same way";
       case Unbroken::no_place: return "no arc of this radius touches both moves";
@@ -102,6 +109,23 @@ class BrokenContour {
       case Unbroken::straight_on: break;
     }
     return {};
+  }
+
+  static bool is_too_large(Unbroken why) {
+    return why == Unbroken::first_too_short || why == Unbroken::second_too_short || why == Unbroken::no_place;
+  }
+  /// The largest size that fits and leaves something of both moves; nothing where hardly any does.
+  static std::optional<double> fitting_size(const ContourMove& first, const Point2& begin, const ContourMove& second,
+                                            const CornerBreakState::Corner& wanted) {
+    constexpr double left_mm = 0.001;
+    double fits = 0, too_large = wanted.size;
+    while (too_large - fits > left_mm / 10) {
+      const double middle = (fits + too_large) / 2;
+      const bool is_fitting = break_corner(first, begin, second, middle, wanted.shape).why == Unbroken::no;
+      (is_fitting ? fits : too_large) = middle;
+    }
+    const double size = std::floor((fits - left_mm / 2) / left_mm) * left_mm;
+    return size > left_mm ? std::optional(size) : std::nullopt;
   }
 
   /// Fanuc allows one block without a move, a dwell for example, between the two moves.
@@ -127,8 +151,8 @@ class BrokenContour {
   CornerBreakState state_{ig::read};
   ig::Fields words_{"corner-words", "Parsing.CornerBreak.?", ig::read,
                     "The words of a corner: a diagnostic points to the one that the block has."};
-  ig::Choice<Unfit> unfit_{"corner-does-not-fit", "alarm|said", "alarm",
-                           "A corner that cannot be broken stops the control, or stays sharp."};
+  ig::Choice<Unfit> unfit_{"corner-does-not-fit", "alarm|said|reduced", "alarm",
+                           "A corner that cannot be broken stops the control, stays sharp, or is made smaller."};
   ig::In<bool> is_rapid_{"MotionEvent.IsRapid"};
   RotaryPosition rotary_{ig::read};
   ig::IntegerOption rests_allowed_{
