@@ -48,6 +48,7 @@ struct FanucMacroCall {
   MachineCodeRecord record_;
   ig::Config bound_{"isogloss.code-call/1", ig::Need::optional, "The programs that codes call."};
   ArgumentUnits units_;
+  BlockSkip block_skip_;  // this syntax reads its block to the end, past the scanner of the sign
   ig::Signal call_{"Parsing.~MacroCall", ig::read | ig::write | ig::wake};
   ig::Signal modal_{"MacroCall.~Modal", ig::write, ig::Life::modal};
 
@@ -101,12 +102,12 @@ struct FanucMacroCall {
       }
     }
     environment_.enter(b);
-    MacroCallReader reader(b, text, environment_, units_, ijk_sets_, words_);
+    MacroCallReader reader(b, text, environment_, units_, block_skip_, ijk_sets_, words_);
     using Names = MacroCallReader::Names;
     end_ = reader.read(number.end, tag_bits_ == 0 ? Names::accepted : Names::refused);
     if (row_ != nullptr) record_.add(b, *row_, ig::Where::columns(position, end_), piece(text, position, end_));
     b.raise(call_);
-    return end_;
+    return reader.rest();
   }
 
   ig::Status build(ig::Block& b) {

@@ -24,12 +24,27 @@ std::size_t next_call_word(std::string_view text, std::size_t position) {
 }  // namespace
 
 std::size_t MacroCallReader::read(std::size_t position, Names names) {
-  std::size_t end = position;
-  for (;;) {
-    const std::size_t begin = next_call_word(text_, end);
-    if (begin >= text_.size()) return end;
-    end = word(begin, names);
+  std::size_t end = rest_ = position;
+  for (std::size_t begin = position;;) {
+    begin = next_call_word(text_, begin);
+    const bool begins_comment = piece(text_, begin, begin + 2) == "//";  // Syntec; another scanner reads it
+    if (begin >= text_.size() || begins_comment) return end;
+    if (text_[begin] == '/') {
+      if (skips(begin)) return end;
+      rest_ = begin;
+    } else {
+      begin = end = rest_ = word(begin, names);
+    }
   }
+}
+
+bool MacroCallReader::skips(std::size_t& begin) {
+  const SkipSign sign = read_skip_sign(text_, begin);
+  const std::size_t block = block_end(text_, sign.end);
+  begin = sign.end;
+  if (!block_skip_.skip(block_, sign.layer, piece(text_, sign.end, block))) return false;
+  rest_ = block;
+  return true;
 }
 
 std::size_t MacroCallReader::word(std::size_t begin, Names names) {

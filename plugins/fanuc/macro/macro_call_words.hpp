@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include <isogloss/cnc/block_skip.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "macro/expression.hpp"
@@ -39,11 +40,18 @@ class MacroCallReader {
   enum class Names { accepted, refused };
 
   MacroCallReader(ig::Block& b, std::string_view text, const MacroEnvironment& environment, const ArgumentUnits& units,
-                  IjkSets ijk_sets, MacroCallWords& out)
-      : block_(b), text_(text), environment_(environment), units_(units), ijk_sets_(ijk_sets), out_(out) {}
+                  const BlockSkip& block_skip, IjkSets ijk_sets, MacroCallWords& out)
+      : block_(b),
+        text_(text),
+        environment_(environment),
+        units_(units),
+        block_skip_(block_skip),
+        ijk_sets_(ijk_sets),
+        out_(out) {}
 
-  /// Returns the end of the last word.
+  /// Returns the end of the last word; rest() is where the scanners after this one go on.
   std::size_t read(std::size_t position, Names names);
+  std::size_t rest() const { return rest_; }
 
  private:
   struct Argument {
@@ -53,6 +61,8 @@ class MacroCallReader {
     std::size_t begin, end;
   };
 
+  /// True where the rest of the block is skipped from the sign of block skip on; otherwise `begin` moves behind it.
+  bool skips(std::size_t& begin);
   /// Returns the end of the word; refuse() as well.
   std::size_t word(std::size_t begin, Names names);
   std::size_t refuse(std::size_t begin, std::size_t end);
@@ -66,8 +76,10 @@ class MacroCallReader {
   std::string_view text_;
   const MacroEnvironment& environment_;
   const ArgumentUnits& units_;
+  const BlockSkip& block_skip_;
   IjkSets ijk_sets_;
   MacroCallWords& out_;
+  std::size_t rest_ = 0;
   std::uint32_t set_ = 0, seen_ = 0;  // sets of I J K; letters read
   char last_of_set_ = 0;
 };

@@ -16,12 +16,9 @@ struct BlockSkipSyntax {
   BlockSkip skip;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    const char digit = at(text, position + 1);
-    const bool has_layer = digit >= '1' && digit <= '9';
-    const std::size_t number = has_layer ? static_cast<std::size_t>(digit - '0') : 1;
-    const std::size_t rest = position + (has_layer ? 2 : 1);
-    const std::size_t end = block_end(text, rest);
-    return skip.skip(b, number, piece(text, rest, end)) ? end : rest;
+    const SkipSign sign = read_skip_sign(text, position);
+    const std::size_t end = block_end(text, sign.end);
+    return skip.skip(b, sign.layer, piece(text, sign.end, end)) ? end : sign.end;
   }
 };
 

@@ -20,6 +20,18 @@ inline std::bitset<10> read_skip_layers(std::string_view list) {
   return layers;
 }
 
+/// The sign of block skip, / or /1 to /9: its layer, and where it ends.
+struct SkipSign {
+  std::size_t layer = 1, end = 0;
+};
+
+/// The sign at `position`, where a slash stands.
+inline SkipSign read_skip_sign(std::string_view text, std::size_t position) {
+  const char digit = at(text, position + 1);
+  if (digit < '1' || digit > '9') return {1, position + 1};
+  return {static_cast<std::size_t>(digit - '0'), position + 2};
+}
+
 /// A member of the scanner that reads the skip sign.
 class BlockSkip {
  public:
