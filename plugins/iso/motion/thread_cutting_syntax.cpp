@@ -15,8 +15,6 @@ struct ThreadCutting {
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_ERROR, "ISO-0391",
                      "G33 F{0}: the lead must be greater than zero, so the previous lead stays in force"),
-      ig::diagnostic(IG_WARNING, "ISO-0587",
-                     "F{0} belongs to G33, which another motion code replaces: F is not executed"),
   };
 
   ig::Call g33_{{"G33"}, "F[mm] Q[deg]"};
@@ -48,11 +46,10 @@ struct ThreadCutting {
   }
 
  private:
-  /// Another motion code follows G33 in its block.
+  /// Another motion code follows G33 in its block; ParameterizedFlagSyntax has left the words to it.
   ig::Status give_up(ig::Block& b, const std::optional<ig::Words>& words) const {
     if (!words) return ig::Status::unchanged;
     b.erase(lead_);
-    if (const auto f = (*words)['F']) b.report(ig::diag("ISO-0587"), ig::Where::word(g33_.code(0)), *f);
     return ig::Status::changed;
   }
 

@@ -25,16 +25,32 @@ struct ParameterizedFlagSyntax {
   std::vector<ig_field> owners = owner_codes();
   std::vector<std::vector<ig_field>> sources = source_words();
   // For each of `rows`
+  ig::Codes motions{{"G00", "G01", "G02", "G03", "G33"}, ig::read};
+  std::vector<bool> is_thread = rows_of_code(motions.id(4));
   std::vector<bool> is_cycle = rows_of_kind(ig::cnc::cycle_kind), is_pattern = rows_of_kind(ig::cnc::hole_pattern_kind);
 
   ig::Status build(ig::Block& b) const {
     std::uint32_t found = 0;
     const std::int32_t last = b.find_code(owners.data(), static_cast<std::uint32_t>(owners.size()), &found);
     if (last < 0) return ig::Status::unchanged;
+    if (found == 1 && is_replaced(b, static_cast<std::size_t>(last))) return ig::Status::unchanged;
     return found == 1 ? give_all(b, static_cast<std::size_t>(last)) : share(b, found);
   }
 
  private:
+  /// G33 owns no words where another motion code follows it: that code moves the axes, and F is its feed rate.
+  bool is_replaced(const ig::Block& b, std::size_t row) const {
+    if (!is_thread[row]) return false;
+    const auto last = b.find(motions);
+    return last && motions.id(*last) != rows[row].code;
+  }
+
+  std::vector<bool> rows_of_code(ig_field code) const {
+    std::vector<bool> out;
+    for (const WordRow& row : rows) out.push_back(row.code == code);
+    return out;
+  }
+
   std::vector<ig_field> owner_codes() const {
     std::vector<ig_field> out;
     for (const WordRow& row : rows) out.push_back(row.code);
@@ -81,7 +97,7 @@ struct ParameterizedFlagSyntax {
     std::size_t count = 0;
     for (std::size_t row = 0; row < rows.size() && count < std::min<std::size_t>(found, owners_here.size()); ++row) {
       ig_value code;
-      if (!b.get(rows[row].code, code)) continue;
+      if (!b.get(rows[row].code, code) || is_replaced(b, row)) continue;
       ig_word place{};
       b.word(rows[row].code, place);
       owners_here[count++] = {row, code.integer, place.begin};
