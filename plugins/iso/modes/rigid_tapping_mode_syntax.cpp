@@ -11,24 +11,16 @@ struct RigidTappingMode {
   static constexpr auto spec = ig::syntax("RigidTappingModeSyntax", "M29 rigid tapping mode.")
                                    .after("SpindleSpeedSyntax")
                                    .before("CannedCycleResolveSyntax", "LinearMotionSyntax");
-  static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "ISO-0350",
-                     "{0} is programmed between M29 and the tapping cycle: program the cycle directly after M29"),
-      ig::diagnostic(IG_WARNING, "ISO-0398",
-                     "M29 is not read as rigid tapping: {0} follows it instead of a tapping cycle"),
-  };
-
   ig::Codes m29_{"M29"};
   ig::Field<ig::Symbol> term_{"RigidTapping.Term",
                               ig::read | ig::write | ig::wake_while,
                               {ig::Life::modal, "", "The code that made tapping rigid; absent where it is not."}};
+  /// RigidTappingCheckSyntax watches the blocks up to the cycle.
   ig::Signal awaits_cycle_{"RigidTapping.~AwaitsCycle", ig::read | ig::write, ig::Life::modal};
   /// M29 has no S: nothing is stopped before the cycle comes.
   ig::Signal is_unsure_{"RigidTapping.~IsUnsure", ig::read | ig::write, ig::Life::modal};
-  ig::Signal said_{"RigidTapping.~Said", ig::read | ig::write, ig::Life::modal};
   ig::Out<ig::Symbol> direction_{"SpindleSpeed.Direction"};
   ig::In<double> speed_{"SpindleSpeed.SpindleSpeed_rpm"};
-  ig::Xyz axes_{"Parsing", ig::read};
   ig::Codes end_{{"G80", "G00", "G01", "G02", "G03", "G33"}, ig::read};
   ig::Call tapping_{{"G74", "G84"}, "", ig::read};
   ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
@@ -47,29 +39,11 @@ struct RigidTappingMode {
       return ig::Status::changed;
     }
     if (!b.has(term_)) return ig::Status::unchanged;
-    const bool awaited = b.is_raised(awaits_cycle_);
-    const bool ends = b.find(end_) && !b.find(tapping_);
-    const bool is_disturbed = awaited && !taps && report_disturbance(b);
-    if (awaited && taps && b.is_raised(is_unsure_)) b.set(direction_, stop_);
-    if (ends || (is_disturbed && b.is_raised(is_unsure_))) b.erase(term_);
-    if (awaited && (ends || taps || is_disturbed)) b.erase(awaits_cycle_);
-    return ends || (awaited && taps) || is_disturbed ? ig::Status::changed : ig::Status::unchanged;
-  }
-
- private:
-  bool report_disturbance(ig::Block& b) {
-    const std::string_view what = b.get(axes_).mask != 0   ? "an axis word"
-                                  : b.is_fresh(speed_)     ? "S"
-                                  : b.is_fresh(direction_) ? "a spindle code"
-                                                           : "";
-    if (what.empty()) return false;
-    if (!b.is_raised(is_unsure_)) {
-      b.report(ig::diag("ISO-0350"), ig::Where::block(), what);
-    } else if (!b.is_raised(said_)) {
-      b.report(ig::diag("ISO-0398"), ig::Where::block(), what);
-      b.raise(said_);
-    }
-    return true;
+    const bool starts = taps && b.is_raised(awaits_cycle_), ends = b.find(end_) && !b.find(tapping_);
+    if (starts && b.is_raised(is_unsure_)) b.set(direction_, stop_);
+    if (starts) b.erase(awaits_cycle_);
+    if (ends) b.erase(term_);
+    return starts || ends ? ig::Status::changed : ig::Status::unchanged;
   }
 };
 
