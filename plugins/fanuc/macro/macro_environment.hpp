@@ -110,6 +110,7 @@ class MacroEnvironment : public MacroFrame {
 
   Fault modal(const ig::Block& b, std::uint32_t n, double& out) const;
 
+  double work_offset_code(const ig::Block& b) const;
   double modal_call() const;
 
   /// Of the block before; where it has none, the last one is not kept here.
@@ -177,6 +178,7 @@ class MacroEnvironment : public MacroFrame {
       scaling_{"Scaling.Term"}, surface_speed_{"SpindleSpeed.Term"}, work_offset_{"CoordinateOffset.CoordinateId"},
       path_mode_{"PathMode.Term"}, tilt_{"TiltTransform.Term"}, polar_{"PolarCoordinate.Term"},
       mirror_{"MirrorImage.Term"};
+  ig::In<ig::Symbol> work_offset_code_{"CoordinateOffset.Term", ig::read, {ig::Life::modal, "", ""}};
   ig::In<double> feed_{"Feedrate.FeedrateValue"}, speed_{"SpindleSpeed.SpindleSpeed_rpm"},
       length_{"ToolHeightCompensation.Offset_mm"};
   ig::In<std::int64_t> tool_{"ToolChange.ToolId"}, length_row_{"ToolHeightCompensation.OffsetId"},

@@ -22,9 +22,9 @@ Fault MacroEnvironment::modal(const ig::Block& b, std::uint32_t n, double& out) 
     case 4009: return of(code(b, cycle_, 80));
     case 4010: return of(code(b, return_mode_, 98));
     case 4011: return of(code(b, scaling_, 50));
-    case 4012: return of(store().settings.offset_in_12 ? code(b, work_offset_, 54) : modal_call());
+    case 4012: return of(store().settings.offset_in_12 ? work_offset_code(b) : modal_call());
     case 4013: return of(code(b, surface_speed_, 97));
-    case 4014: return of(code(b, work_offset_, 54));
+    case 4014: return of(work_offset_code(b));
     case 4015: return of(code(b, path_mode_, 64));
     case 4016: return of(code(b, tilt_, 69));
     case 4017: return of(code(b, polar_, 15));
@@ -49,6 +49,11 @@ double MacroEnvironment::code(const ig::Block& b, const ig::Field<ig::Symbol>& f
   if (text.size() < 2) return otherwise;
   const ig::Decimal d = ig::read_decimal(text, 1);
   return d.ok ? d.value : otherwise;
+}
+
+/// 54 to 59 and 54.1, or the code that selected the set in another way: 110 to 129 and 154 of a Haas.
+double MacroEnvironment::work_offset_code(const ig::Block& b) const {
+  return b.has(work_offset_code_) ? code(b, work_offset_code_, 54) : code(b, work_offset_, 54);
 }
 
 double MacroEnvironment::modal_call() const {

@@ -39,6 +39,10 @@ struct IsoCoordinateOffset {
   ig::Word p_{"Parsing.P", ig::read, ""};
   ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
+  ig::Field<ig::Symbol> further_term_{
+      "CoordinateOffset.Term",
+      ig::read | ig::write,
+      {ig::Life::modal, "", "The code that selected a set of G154: G154, or G110 to G129. Absent under other codes."}};
   OffsetSection offset_{"CoordinateOffset"};
   RotaryOffsetSection rotary_{"CoordinateOffset"};
   ig::Signal table_changed_{"CoordinateOffset.~TableChanged", ig::read | ig::wake};
@@ -69,17 +73,15 @@ struct IsoCoordinateOffset {
         return ig::Status::changed;
       }
       const auto number = set_number(b, *code);
-      if (number) {
-        const bool is_of_all = *code == plain && g54_p_ == G54P::all_sets && *number != 0;
-        select(b, is_of_all ? WorkOffsetId::of_all(*number).text() : WorkOffsetId::additional(*number).text(), where);
-      } else {
-        select(b, b.text(name), where);
-      }
+      const bool is_of_all = number && *code == plain && g54_p_ == G54P::all_sets && *number != 0;
+      const WorkOffsetId id = is_of_all ? WorkOffsetId::of_all(*number) : WorkOffsetId::additional(number.value_or(0));
+      if (select(b, number ? id.text() : b.text(name), where) && b.has(further_term_)) b.erase(further_term_);
       return ig::Status::changed;
     }
     if (further_sets_ == FurtherSets::g110_g154)
       if (const auto code = take_modal(b, further_)) {
-        select(b, WorkOffsetId::additional(further_number(b, *code)).text(), ig::Where::word(further_.id(*code)));
+        if (select(b, WorkOffsetId::additional(further_number(b, *code)).text(), ig::Where::word(further_.id(*code))))
+          b.set(further_term_, further_.name(*code));
         return ig::Status::changed;
       }
     if (!b.is_raised(table_changed_)) return ig::Status::unchanged;
@@ -114,15 +116,17 @@ struct IsoCoordinateOffset {
     return std::nullopt;
   }
 
-  void select(ig::Block& b, std::string_view id, ig::Where where) const {
+  /// False where the table has no such set.
+  bool select(ig::Block& b, std::string_view id, ig::Where where) const {
     const auto origin = id.empty() ? std::nullopt : linear_program_origin(table_, id);
     if (!origin) {
       b.report(ig::diag("ISO-0226"), where, id.empty() ? std::string_view("of that number") : id, b.text(selected(b)));
-      return;
+      return false;
     }
     rotary_.set(b, rotary_program_origin(table_, id));
     b.set(id_, b.symbol(id));
     offset_.set(b, *origin);
+    return true;
   }
 };
 
