@@ -347,6 +347,19 @@ class State(unittest.TestCase):
         self.assertEqual(blocks[1:], ["G21 G17 G90 G94 G40 G80", "G15 H2", "G53", "T2 M06", "S900 M03", "G00 X5. Y6.",
                                       "G56 H2 G00 Z20.", "G94 F100.", "G01 Z-2.", "G01"])
 
+    def test_okuma_restores_where_cycles_return(self):
+        text = ("G21 G90 G17 G15 H2\nT2 M06\nS900 M3\nG0 X5 Y6\nZ80\nG71 Z50\nG81 X10 Y10 Z-10 R2 F200 {}\nG80\n"
+                "G0 X20 Z90\nG81 X30 Y10 Z-10 R2 F200\nG80\nM2\n")
+        for code in ("M53", "M54"):
+            blocks = self.lines_of("part.min", text.format(code), "okuma", 9)
+            self.assertEqual(blocks[-2:], ["G71 Z50.", code])
+        self.assertEqual(self.lines_of("part.min", text.format(""), "okuma", 9)[-1], "G71 Z50.")
+
+    def test_haas_selects_a_work_offset_as_the_program_did(self):
+        for code in ("G110", "G154 P30", "G55"):
+            blocks = self.lines_of("part.nc", f"G21 G90 G17\n{code}\nG0 X5. Y6. Z7.\nX#4014\nM30\n", "haas", 4)
+            self.assertIn(code, blocks)
+
     def test_the_nearest_line_that_can_be_restored(self):
         for text, nearest in (("X20.", "G41 D3 X0 Y60."), ("G01 X7.", "M98 P2")):
             done = self.state(self.line_of(text), "--as-preamble", "--nearest", "--with-rest")

@@ -80,6 +80,17 @@ class IdleOptions(Command):
                 self.assertIn(second, done.stderr)
         self.assertFalse((self.path / "out").exists())
 
+    def test_options_that_no_chosen_check_has_a_use_for_are_told(self):
+        options = ("--seed", "--blocks", "--random-limit", "--budget")
+        values = [word for option in options for word in (option, "7")]
+        for checks, idle in ((("loads",), options), (("loads", "options"), options[1:]), (("random-blocks",), options[3:]),
+                             (("time", "random-blocks"), ())):
+            only = [word for check in checks for word in ("--only", check)]
+            told = self.isogloss("validate", "no.so", *only, *values, status=2).stderr
+            for option in options:
+                self.assertEqual(f"{option} has no effect" in told, option in idle, told)
+        self.assertNotIn("IG-0519", self.isogloss("validate", "no.so", *values, status=2).stderr)
+
     def test_a_range_beyond_the_end_of_the_file_is_told(self):
         for more in ((), ("--field", "Feedrate")):
             done = self.isogloss("explain", "part.nc:3-99", "-d", "fanuc", *more)

@@ -132,6 +132,20 @@ std::string_view to_string(Level level) {
   return level == Level::must ? "must" : level == Level::should ? "should" : "note";
 }
 
+bool has_use_for(const Check& check, std::string_view option) {
+  // The checks that make neither random blocks nor damaged files.
+  static constexpr std::array<std::string_view, 22> without_seed{
+      "loads",         "descriptor",     "exports",        "unloads",   "load-time",     "documented",
+      "prefix",        "cases",          "declarations",   "unchanged", "unused-fields", "empty-block",
+      "absent-fields", "extreme-values", "finite-results", "scan",      "same-result",   "elsewhere",
+      "threads",       "older-host",     "newer-host",     "tables"};
+  const std::string_view name = check.name;
+  if (option == "--blocks" || option == "--random-limit") return name == "random-blocks";
+  if (option == "--budget") return name == "time";
+  if (option == "--seed") return std::find(without_seed.begin(), without_seed.end(), name) == without_seed.end();
+  return true;
+}
+
 void Examination::find(std::string where, std::string what) {
   ++findings_;
   listener_.find({std::move(where), std::move(what)});

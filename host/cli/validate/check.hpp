@@ -78,6 +78,9 @@ std::span<const Check> all_checks();
 
 std::string_view to_string(Level level);
 
+/// Whether the check has a use for the option; true for options that all checks have a use for.
+bool has_use_for(const Check& check, std::string_view option);
+
 // loading.cpp
 void check_loads(Examination& e);
 void check_descriptor(Examination& e);

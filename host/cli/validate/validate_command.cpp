@@ -36,9 +36,10 @@ struct ValidateCommand {
   bool lists = false, is_strict = false, in_process = false;
   unsigned jobs = 0;
 
-  int run() const;
+  int run(const CommandLine& line) const;
 
  private:
+  void report_idle_options(const CommandLine& line, std::span<const Check* const> checks, Session& session) const;
   int list(const std::vector<const Check*>& checks) const;
   std::string report(const std::vector<PluginOutcome>& plugins) const;
   std::vector<const Check*> chosen(Session& session) const;
@@ -134,7 +135,18 @@ std::string ValidateCommand::report(const std::vector<PluginOutcome>& plugins) c
                              : as_text(plugins, options);
 }
 
-int ValidateCommand::run() const {
+/// Options for which none of the checks that --only names has a use.
+void ValidateCommand::report_idle_options(const CommandLine& line, std::span<const Check* const> checks,
+                                          Session& session) const {
+  for (const char* const option : {"--seed", "--blocks", "--random-limit", "--budget"}) {
+    const bool has_use =
+        std::any_of(checks.begin(), checks.end(), [&](const Check* check) { return has_use_for(*check, option); });
+    if (!has_use && line.is_given(option))
+      session.report("IG-0519", {}, {option, "--only leaves no check that uses it"});
+  }
+}
+
+int ValidateCommand::run(const CommandLine& line) const {
   Session session(options.common);
   const auto misused = [&](const std::string& why) {
     session.report("IG-0513", {}, {why});
@@ -148,6 +160,7 @@ int ValidateCommand::run() const {
     return list(checks);
   }
   if (files.empty()) return misused("name the file of a plugin, or --list for the checks");
+  report_idle_options(line, checks, session);
   if (!options.dialect.empty() && !session.reader().read(options.dialect, session.diagnostics())) return cannot_start;
   if (!are_apart(files, {options.common.diagnostics_output}, session)) return cannot_start;
   std::vector<PluginOutcome> plugins;
@@ -238,7 +251,7 @@ int validate_command(const Arguments& arguments) {
   line.flag("--in-process", command.in_process, "No child processes and no limits: for a debugger").not_with("--list");
   options.common.add_to(line);
   if (const auto done = line.parse(arguments)) return *done;
-  return command.run();
+  return command.run(line);
 }
 
 }  // namespace isogloss::cli
