@@ -31,7 +31,7 @@ constexpr auto named_parameters =
                           {rollover_bits, "rollover of a rotary axis", Unit::none, Scope::axes},
                           {increment_system, "increment system"},
                           {reset, "reset bits"},
-                          {feed_bits, "F per minute without a decimal point"},
+                          {feed_bits, "feed bits"},
                           {revolution_feed_bits, "F per revolution without a decimal point"},
                           {decimal_point, "numbers without a decimal point"},
                           {arc_tolerance, "arc radius tolerance", Unit::increments},
@@ -157,6 +157,7 @@ struct FanucParameterTable {
       const Answer count = number(scaling_factor);
       return count && *count > 0 ? Answer(*count * scaling_unit()) : std::nullopt;
     }
+    if (name == "HelixFeedAlongPath") return bit(feed_bits, 5) ? 1 : 0;
     return name == "ArcRadiusTolerance_mm" ? in_increments(arc_tolerance) : std::nullopt;
   }
 

@@ -18,6 +18,7 @@ TEST_CASE("a control as delivered has the default parameters") {
   CHECK(number(table, canned_cycle, "HighSpeedPeckRetraction_mm") == 1);
   CHECK(number(table, canned_cycle, "BoringReturnOverride_percent") == 100);
   CHECK(number(table, motion_settings, "ArcRadiusTolerance_mm") == 0.01);
+  CHECK(number(table, motion_settings, "HelixFeedAlongPath") == 0);
   CHECK(number(table, motion_settings, "ScalingUnit") == 0.001);
   CHECK(number(table, motion_settings, "ScalingFactor") == -1000);
   CHECK(number(table, motion_settings, "Unknown") == -1000);
@@ -26,12 +27,13 @@ TEST_CASE("a control as delivered has the default parameters") {
 TEST_CASE("bits and increments in the table replace the defaults") {
   const FakeDependency fine(*ig_plugin_v1(), "FanucParameterTable",
                             {{"1013", {{"Value", 2}}},
-                             {"1403", {{"Value", 1}}},
+                             {"1403", {{"Value", 33}}},
                              {"1405", {{"Value", 2}}},
                              {"3401", {{"Value", 1}}},
                              {"5115", {{"Value", 5000}}}});
   CHECK(number(fine, number_format, "FeedIncrement_mm") == 0.001);
   CHECK(number(fine, number_format, "FeedIncrement_inch") == 0.00001);
+  CHECK(number(fine, motion_settings, "HelixFeedAlongPath") == 1);
   CHECK(number(fine, number_format, "RevolutionFeedIncrement_mm") == 0.001);
   CHECK(number(fine, number_format, "RevolutionFeedIncrement_inch") == 0.00001);
   CHECK(number(fine, number_format, "CalculatorDecimalPoint") == 1);

@@ -14,6 +14,8 @@ using namespace ig::cnc;
 namespace {
 
 enum class MissingCenter { linear, warning, error };
+enum class InverseTime { length, radius };
+enum class HelixFeed { path, arc, parameter };
 
 struct CircularMotion {
   static constexpr auto spec =
@@ -54,11 +56,18 @@ struct CircularMotion {
   PlaneInForce plane_;
   LastProgramXyz last_;
   ScaleAndMirror scale_and_mirror_;
-  ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ArcRadiusTolerance_mm"};
+  ig::Config config_{"isogloss.motion/1", ig::Need::optional, "ArcRadiusTolerance_mm, HelixFeedAlongPath"};
 
   ig::Choice<MissingCenter> missing_center_{
       "missing-center", "linear|warning|error", "linear",
       "What an arc without I, J, K and R becomes: a straight line, a straight line with a warning, or an alarm."};
+  ig::Choice<InverseTime> inverse_time_{"inverse-time", "length|radius", "length",
+                                        "What F of G93 is multiplied by to give the feed: the path or the radius."};
+  ig::Choice<HelixFeed> helix_feed_{"helix-feed", "path|arc|parameter", "path",
+                                    "Along what F is the speed of a helix: its path, or its arc in the plane."};
+  ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"};
+  ig::Out<double> feedrate_{"MotionEvent.Feedrate_mmds"};
+  ig::Name g93_{"G93"};
   ig::Config number_format_{"isogloss.number-format/1", ig::Need::optional, "CalculatorDecimalPoint"};
   ig::TextOption whole_numbers_{"whole-numbers", "",
                                 "How to set the control to read numbers without a point as units; reported with an "
@@ -71,6 +80,8 @@ struct CircularMotion {
                                      "How far the end may lie from the circle; 0: the value of isogloss.motion/1."};
   double tolerance_ = radius_tolerance_ > 0 ? double{radius_tolerance_}
                                             : config_.number("ArcRadiusTolerance_mm").value_or(0);
+  bool feeds_along_arc_ = helix_feed_ == HelixFeed::parameter ? config_.number("HelixFeedAlongPath").value_or(1) == 0
+                                                              : helix_feed_ == HelixFeed::arc;
 
   ig::Status build(ig::Block& b) {
     std::uint32_t found = 0;
@@ -197,7 +208,11 @@ struct CircularMotion {
     ig::Vec3 point = path.from;  // at the level of the start
     point[path.plane.first] = rounded(center.u);
     point[path.plane.second] = rounded(center.v);
-    motion_.arc(b, point, is_ccw, [&] { return arc_length(path.start(), path.end(), center, is_ccw, path.rise()); });
+    const auto length = [&](double rise) { return arc_length(path.start(), path.end(), center, is_ccw, rise); };
+    const bool by_radius = inverse_time_ == InverseTime::radius;
+    motion_.arc(b, point, is_ccw, [&] { return by_radius ? (path.start() - center).length() : length(path.rise()); });
+    if (path.rise() == 0 || !feeds_along_arc_ || (b.is(feed_mode_, g93_) && !by_radius)) return;
+    if (const auto feed = b.get(feedrate_)) b.set(feedrate_, *feed * length(path.rise()) / length(0));
   }
 };
 
