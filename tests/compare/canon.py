@@ -20,6 +20,7 @@ class Canon:
         self.feed = None
         self.inverse_time = False
         self.position = (0.0, 0.0, 0.0)  # machine
+        self.angles = (0.0, 0.0, 0.0)
         self.ended = False
 
     def machine(self, point):
@@ -34,7 +35,8 @@ class Canon:
 
     def straight(self, kind, line, numbers):
         self.position = self.machine(numbers[:3])
-        return Move(kind, line, self.slack(), self.position, self.feed_rate() if kind == "feed" else None)
+        self.angles = tuple(numbers[3:6])
+        return Move(kind, line, self.slack(), self.position, self.angles, self.feed_rate() if kind == "feed" else None)
 
     def feed_rate(self):
         return None if self.inverse_time or self.feed is None else self.feed * self.unit / 60
@@ -49,7 +51,7 @@ class Canon:
         end, centre = self.machine(end), self.machine(centre)
         flat = lambda p: (p[first], p[second])
         self.position = end
-        move = Move("arc", line, self.slack(), end, self.feed_rate(), self.plane, flat(centre), turns > 0)
+        move = Move("arc", line, self.slack(), end, self.angles, self.feed_rate(), self.plane, flat(centre), turns > 0)
         move.sweep = sweep_of(flat(start), flat(end), move.centre, move.ccw) + 360 * (abs(turns) - 1)
         return move
 

@@ -63,6 +63,7 @@ class Comparison(unittest.TestCase):
 
     def test_every_planted_error_is_seen(self):
         plants = [(0, "kind", "feed"), (0, "line", 5), (0, "end", (110.0002, 50.0, 108.9)),
+                  (0, "angles", (0.0, 0.001, 0.0)),
                   (1, "end", (120.0, 60.0, 108.8998)), (1, "ccw", True), (1, "plane", "YZ"),
                   (1, "centre", (120.0, 50.0003)), (1, "sweep", 450.0), (1, "sweep", 90.01), (1, "feed", 10.001),
                   (4, "value", 0.501)]
@@ -73,8 +74,8 @@ class Comparison(unittest.TestCase):
                 self.assertIsNotNone(moves.difference(ours, self.moves[index]))
 
     def test_program_for_linuxcnc(self):
-        self.assertEqual(linuxcnc.translated("%\nN7 G4 P500\nG99 G82 X1. P250 K3\nG10 L2 P1 X1.\n"),
-                         "%\nN2 G4 P0.5\nN3 G99 G82 X1. P0.25 L3\nN4 G10 L2 P1 X1.\n")
+        self.assertEqual(linuxcnc.translated("%\nN7 G4 P500\nG99 G82 X1. P250 K3\nG10 L2 P1 X1.\nG10L10P2R3.\n"),
+                         "%\nN2 G4 P0.5\nN3 G99 G82 X1. P0.25 L3\nN4 G10 L2 P1 X1.\nN5 G10L1P2Z3.\n")
 
     def test_motion_stream(self):
         text = ("file,line,event,px,py,pz,mx,my,mz,a,b,c,feed_mm_s,cx,cy,cz,ccw,circles,plane,mcx,mcy,mcz,nx,ny,nz,"

@@ -29,17 +29,21 @@ import plain
 
 HERE = pathlib.Path(__file__).resolve().parent
 SKIPPED = 77
-# LinuxCNC's clearance in G73 and G83 is a hundredth of an inch; ours stands in parameters 5114 and 5115.
-CLEARANCE = [a for n in (5114, 5115) for a in ("--set", f"FanucParameterTable.{n}.Value=254")]
+# LinuxCNC's clearance in G73 and G83 is a hundredth of an inch; ours stands in parameters 5114 and 5115. Bit 5 of 1403: F of
+# a helix is the speed along its path, as there.
+PARAMETERS = [a for n, value in ((5114, 254), (5115, 254), (1403, 32))
+              for a in ("--set", f"FanucParameterTable.{n}.Value={value}")]
 
 
 def translated(text):
-    """The program for rs274: N is the line, P of a dwell in seconds, L repeats a cycle."""
+    """The program for rs274: N is the line, P of a dwell in seconds, L repeats a cycle, Z is the length of a tool."""
     lines = []
     for number, line in enumerate(text.splitlines(), 1):
         line = re.sub(r"^N\d+\s*", "", line)
         if re.search(r"G0?4(?!\d)|G82", line):
             line = re.sub(r"P(\d+)", lambda p: f"P{int(p[1]) / 1000:g}", line)
+        if re.search(r"L10(?!\d)", line):
+            line = re.sub(r"L10( ?P\d+ ?)R", r"L1\1Z", line)
         if re.search(r"G(73|8\d)", line):
             line = re.sub(r"K(\d+)", r"L\1", line)
         lines.append(line if line.startswith("%") or not line else f"N{number} {line}")
@@ -117,7 +121,7 @@ def main():
         programs += [(f"macro seed {s}", *macro.program(s)) for s in numbers]
     compared = differing = 0
     with tempfile.TemporaryDirectory(prefix="isogloss-compare-") as name:
-        comparison = Comparison(options.isogloss.resolve(), pathlib.Path(name), CLEARANCE)
+        comparison = Comparison(options.isogloss.resolve(), pathlib.Path(name), PARAMETERS)
         for title, text, translation in programs:
             count, report = comparison.compare(text, translation)
             compared += count

@@ -76,8 +76,14 @@ class MacroProgram:
     def tenths(self):
         return f"[0.1*[FIX[ABS[10*{self.expression(1)}]+0.0004] MOD 1000]]"
 
+    def comparison(self):
+        """EQ and NE of whole numbers: LinuxCNC's are equal within 0.0001."""
+        comparison = self.random.choice(COMPARISONS)
+        form = "[FIX[ABS[{}]+0.0004] MOD 4]" if comparison in ("EQ", "NE") else "{}"
+        return f" {comparison} ".join(form.format(self.expression(1)) for _ in range(2))
+
     def condition(self):
-        one = lambda: f"{self.expression(1)} {self.random.choice(COMPARISONS)} {self.expression(1)}"
+        one = self.comparison
         if self.random.random() < 0.7:
             return f"[{one()}]"
         return f"[[{one()}] {self.random.choice(('AND', 'OR', 'XOR'))} [{one()}]]"

@@ -14,6 +14,7 @@ class Move:
     line: int
     slack: float  # how far off the printed numbers may be, mm
     end: tuple = ()  # mm
+    angles: tuple = (0.0, 0.0, 0.0)  # of A, B and C, degrees
     feed: float | None = None  # mm/s
     plane: str = ""
     centre: tuple = ()  # in the plane: first, second axis
@@ -24,7 +25,7 @@ class Move:
     def __str__(self):
         text = f"line {self.line}: {self.kind}"
         if self.end:
-            text += " " + " ".join(f"{a}{v:.6f}" for a, v in zip(AXES, self.end))
+            text += " " + " ".join(f"{a}{v:.6f}" for a, v in zip(AXES + "ABC", self.end + self.angles))
         if self.kind == "arc":
             text += (f" {self.plane} {'ccw' if self.ccw else 'cw'} centre {self.centre[0]:.6f} {self.centre[1]:.6f}"
                      f" sweep {self.sweep:.4f}")
@@ -46,11 +47,13 @@ def sweep_of(start, end, centre, ccw):
 
 def without_zero_moves(moves):
     """Linear moves that go nowhere: one side prints them and the other does not."""
-    position = (0.0, 0.0, 0.0)
+    position, angles = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
     for move in moves:
-        if move.kind in ("rapid", "feed") and math.dist(position, move.end) <= max(5e-4, 2 * move.slack):
+        if move.kind in ("rapid", "feed") and math.dist(position, move.end) <= max(5e-4, 2 * move.slack) and \
+                math.dist(angles, move.angles) <= 5e-4:
             continue
-        position = move.end or position
+        if move.end:
+            position, angles = move.end, move.angles
         yield move
 
 
@@ -62,6 +65,9 @@ def difference(ours, theirs):
     for axis, a, b in zip(AXES, ours.end, theirs.end):
         if abs(a - b) > slack:
             return f"{axis} of the end is {a - b:+.6f} mm off"
+    for axis, a, b in zip("ABC", ours.angles, theirs.angles):
+        if abs(a - b) > 1e-4:
+            return f"{axis} is {a - b:+.6f} degrees off"
     if ours.kind == "arc":
         if (ours.plane, ours.ccw) != (theirs.plane, theirs.ccw):
             return "plane or sense"
@@ -89,7 +95,7 @@ def from_csv(text):
         if kind not in ("rapid", "feed", "arc"):
             continue
         move = Move(kind, line, 0.0, tuple(number(k) for k in ("mx", "my", "mz")),
-                    float(row["feed_mm_s"]) if row["feed_mm_s"] else None)
+                    tuple(number(k) for k in "abc"), float(row["feed_mm_s"]) if row["feed_mm_s"] else None)
         if kind == "arc":
             centre = [number(k) for k in ("mcx", "mcy", "mcz")]
             move.plane = row["plane"]
