@@ -2,6 +2,7 @@
 /// (EXT) is added to each, for rotary axes too. The table is read when a code selects an offset and after G10 has
 /// written into it.
 #include <isogloss/cnc/coordinate_offset.hpp>
+#include <isogloss/cnc/cycle_in_force.hpp>
 #include <isogloss/cnc/modal_group.hpp>
 #include <isogloss/cnc/rotary_offset.hpp>
 #include <isogloss/cnc/work_offset_id.hpp>
@@ -37,7 +38,7 @@ struct IsoCoordinateOffset {
   ig::Call additional_{{"G54.1"}, "P[]"};
   ig::Call by_p_{{"G154"}, "P[]"};
   ig::Word p_{"Parsing.P", ig::read, ""};
-  ig::In<ig::Symbol> cycle_{"CannedCycle.Term"};
+  CycleInForce cycle_;
   ig::Out<ig::Symbol> id_{"CoordinateOffset.CoordinateId"};
   ig::Field<ig::Symbol> further_term_{
       "CoordinateOffset.Term",
@@ -112,7 +113,7 @@ struct IsoCoordinateOffset {
       if (!p) b.report(ig::diag("ISO-0368"), ig::Where::word(additional_.code(0)));
       return p.value_or(1);
     }
-    if (code == plain && !b.has(cycle_)) return b.take(p_);
+    if (code == plain && !cycle_.is_on(b)) return b.take(p_);
     return std::nullopt;
   }
 
