@@ -1,5 +1,7 @@
 /// G02 and G03: an arc in the plane to the program point of the block, about a centre (I J K, from the start) or with a
 /// radius (R). A move along the third axis makes it a helix. Fanuc manual, "Circular interpolation".
+#include <numbers>
+
 #include <isogloss/cnc/arc.hpp>
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
@@ -38,6 +40,8 @@ struct CircularMotion {
       ig::diagnostic(IG_ERROR, "ISO-0446",
                      "the rotary axes turn during this arc: the tool goes straight to the end instead"),
       ig::diagnostic(IG_WARNING, "ISO-0513", "the arc has neither R nor a centre: the tool goes straight to the end"),
+      ig::diagnostic(IG_WARNING, "ISO-0605",
+                     "the arc ends {0} mm from its start: a control that counts {1} mm may make a full circle of it"),
       ig::diagnostic(IG_NOTE, "ISO-0546",
                      "words of this arc have no decimal point and are read as least increments; if they are "
                      "millimetres or inches, {0}"),
@@ -80,6 +84,7 @@ struct CircularMotion {
                                      "How far the end may lie from the circle; 0: the value of isogloss.motion/1."};
   double tolerance_ = radius_tolerance_ > 0 ? double{radius_tolerance_}
                                             : config_.number("ArcRadiusTolerance_mm").value_or(0);
+  double increment_mm_ = number_format_.number("LengthIncrement_mm").value_or(0);
   bool feeds_along_arc_ = helix_feed_ == HelixFeed::parameter ? config_.number("HelixFeedAlongPath").value_or(1) == 0
                                                               : helix_feed_ == HelixFeed::arc;
 
@@ -101,6 +106,8 @@ struct CircularMotion {
   }
 
  private:
+  static constexpr double half_turn = std::numbers::pi;
+
   struct ArcWords {
     std::optional<double> r, first, second;
     bool has_center() const { return first || second; }
@@ -167,6 +174,10 @@ struct CircularMotion {
       suspect_whole_numbers(b);
       b.alarm();
     }
+    // On the control, positions are whole increments: this arc has length 0 there, or goes all the way round.
+    const double apart = (end - start).length();
+    if (apart >= same_point_mm && apart < increment_mm_ / 2 && std::fabs(sweep(start, end, center, is_ccw)) < half_turn)
+      b.report(ig::diag("ISO-0605"), ig::Where::block(), apart, increment_mm_);
     emit(b, path, center, is_ccw);
   }
 
