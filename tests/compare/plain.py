@@ -134,7 +134,7 @@ class PlainProgram:
         first, second, third = PLANE_OF[self.plane]
         words = []
         for axis, target in ((first, end[0]), (second, end[1])):
-            words.append(self.axis_word(axis, target, round(target - self.at[axis], 9), decimals))
+            words.append(self.axis_word(axis, target, round(target - self.at[axis], 9), 9 if self.incremental else decimals))
         if self.random.random() < 0.3:  # helix
             self.known([third])
             delta = self.length(-5, 5)
