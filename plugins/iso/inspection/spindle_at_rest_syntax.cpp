@@ -16,7 +16,8 @@ struct SpindleAtRest {
   };
 
   ig::InWhile<ig::Symbol> while_per_revolution_{"Feedrate.Term", "G95"};
-  ig::InWhile<ig::Symbol> while_threading_{"MotionState.Term", "G33"};
+  /// After a thread; G33 itself would be looked for whenever the motion code changes.
+  ig::InWhile<double> while_threaded_{"ThreadCutting.Lead"};
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term", ig::wake};
   ig::In<double> lead_{"ThreadCutting.Lead", ig::wake};
   ig::In<ig::Symbol> motion_code_{"MotionState.Term"};

@@ -84,7 +84,7 @@ struct CircularMotion {
                                      "How far the end may lie from the circle; 0: the value of isogloss.motion/1."};
   double tolerance_ = radius_tolerance_ > 0 ? double{radius_tolerance_}
                                             : config_.number("ArcRadiusTolerance_mm").value_or(0);
-  double increment_mm_ = number_format_.number("LengthIncrement_mm").value_or(0);
+  double half_increment_mm_ = number_format_.number("LengthIncrement_mm").value_or(0) / 2;
   bool feeds_along_arc_ = helix_feed_ == HelixFeed::parameter ? config_.number("HelixFeedAlongPath").value_or(1) == 0
                                                               : helix_feed_ == HelixFeed::arc;
 
@@ -174,11 +174,16 @@ struct CircularMotion {
       suspect_whole_numbers(b);
       b.alarm();
     }
-    // On the control, positions are whole increments: this arc has length 0 there, or goes all the way round.
-    const double apart = (end - start).length();
-    if (apart >= same_point_mm && apart < increment_mm_ / 2 && std::fabs(sweep(start, end, center, is_ccw)) < half_turn)
-      b.report(ig::diag("ISO-0605"), ig::Where::block(), apart, increment_mm_);
+    const Point2 gap = end - start;
+    if (std::fabs(gap.u) < half_increment_mm_ && std::fabs(gap.v) < half_increment_mm_)
+      suspect_full_circle(b, gap.length(), sweep(start, end, center, is_ccw));
     emit(b, path, center, is_ccw);
+  }
+
+  /// On the control, positions are whole increments: this arc has no length there, or goes all the way round.
+  void suspect_full_circle(ig::Block& b, double apart, double turn) const {
+    if (apart >= same_point_mm && apart < half_increment_mm_ && std::fabs(turn) < half_turn)
+      b.report(ig::diag("ISO-0605"), ig::Where::block(), apart, 2 * half_increment_mm_);
   }
 
   void suspect_whole_numbers(ig::Block& b) const {
@@ -222,8 +227,13 @@ struct CircularMotion {
     const auto length = [&](double rise) { return arc_length(path.start(), path.end(), center, is_ccw, rise); };
     const bool by_radius = inverse_time_ == InverseTime::radius;
     motion_.arc(b, point, is_ccw, [&] { return by_radius ? (path.start() - center).length() : length(path.rise()); });
-    if (path.rise() == 0 || !feeds_along_arc_ || (b.is(feed_mode_, g93_) && !by_radius)) return;
-    if (const auto feed = b.get(feedrate_)) b.set(feedrate_, *feed * length(path.rise()) / length(0));
+    if (feeds_along_arc_ && path.rise() != 0 && (by_radius || !b.is(feed_mode_, g93_)))
+      speed_up(b, length(0), path.rise());
+  }
+
+  /// F is the speed along the arc alone, and the path is longer.
+  void speed_up(ig::Block& b, double arc, double rise) const {
+    if (const auto feed = b.get(feedrate_)) b.set(feedrate_, *feed * std::hypot(1, rise / arc));
   }
 };
 

@@ -24,7 +24,8 @@ struct LinearMotion {
   BlockMotion motion_;
   LastProgramXyz last_;
 
-  ig::Status build(ig::Block& b) {
+  // Most blocks come here: whether the call is inlined must not depend on the other files of the unity batch.
+  [[gnu::always_inline]] ig::Status build(ig::Block& b) {
     if (group_.is_answered(b)) return ig::Status::unchanged;
     std::uint32_t found = 0;
     const auto named = group_.find(b, found);
