@@ -11,6 +11,7 @@ FUNCTIONS = ("SIN[{}]", "COS[{}]", "SQRT[ABS[{}]]", "ABS[{}]", "FIX[ABS[{}]+0.00
              "TAN[40*SIN[{}]]")
 COMPARISONS = ("EQ", "NE", "GT", "GE", "LT", "LE")
 VARIABLES = range(1, 8)
+LONGEST = 240  # of a block; a line of LinuxCNC's holds 255 characters
 
 
 class MacroProgram:
@@ -105,8 +106,11 @@ class MacroProgram:
 
     def move(self):
         axes = self.random.sample("XYZ", self.random.randint(1, 3))
-        self.block(self.random.choice(("G0 ", "G1 ")) + " ".join(a + self.random.choice(("", "-")) + self.length()
-                                                                 for a in sorted(axes)))
+        text = "X" * (LONGEST + 1)
+        while len(text) > LONGEST:
+            text = self.random.choice(("G0 ", "G1 ")) + " ".join(a + self.random.choice(("", "-")) + self.length()
+                                                                 for a in sorted(axes))
+        self.block(text)
 
     def assign(self):
         form = self.random.choice(("180*SIN[{}]", "90*COS[{}]", "ROUND[20*ABS[SIN[{}]]+0.0004]",
