@@ -324,6 +324,15 @@ class Diff(unittest.TestCase):
         self.assertIn("IsoCoordinateTable G54", causes[0]["Cause"])
         self.assertIn("machine.xml:1", causes[0]["Evidence"][0]["PlaceB"])
 
+    def test_a_block_with_many_reports_is_compared_in_good_time(self):
+        if OPTIONS.sanitized:
+            self.skipTest("slow there, whatever is compared")
+        part = self.write("part.nc", HEAD + "\0" * 300_000 + "\nM30\n")
+        said = self.diff("-a", "fanuc", "-b", "syntec", part, status=0).stderr
+        self.assertIn("both sides report the same errors (count: 300000)", said)
+        other = self.write("other.nc", HEAD + "\0" * 300_001 + "\nM30\n")
+        self.diff("-d", "fanuc", part, other)
+
     def test_memory_does_not_grow_with_the_program(self):
         if OPTIONS.sanitized:
             self.skipTest("AddressSanitizer keeps what is freed")

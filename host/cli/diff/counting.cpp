@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "diff/comparison.hpp"
 #include "diff/values.hpp"
@@ -11,6 +13,20 @@ namespace isogloss::cli::parting {
 namespace {
 
 constexpr std::size_t most_examples = 3, most_values = 8;
+
+/// Reports that are alike, by their numbers: a block may have as many as it has bytes.
+struct Unanswered {
+  std::vector<std::size_t> all;
+  std::size_t next = 0;
+
+  /// The first that nothing has answered.
+  std::optional<std::size_t> take(std::vector<bool>& answered) {
+    while (next < all.size() && answered[all[next]]) ++next;
+    if (next == all.size()) return std::nullopt;
+    answered[all[next]] = true;
+    return all[next];
+  }
+};
 
 }  // namespace
 
@@ -118,22 +134,22 @@ std::string Comparison::report_of_one_side(const Snapshot& a, const Snapshot& b)
 void Comparison::compare_reports(const Snapshot& a, const Snapshot& b) {
   if (a.reported.empty() && b.reported.empty()) return;
   std::vector<bool> answered(b.reported.size());
+  std::map<std::pair<std::string_view, std::string_view>, Unanswered> alike;
+  std::map<std::string_view, Unanswered> of_code;
+  const auto wording = [&](const Diagnostic& d) {
+    return options_.are_two_programs ? std::string_view() : std::string_view(d.message);
+  };
+  for (std::size_t i = 0; i < b.reported.size(); ++i) {
+    alike[{b.reported[i].code, wording(b.reported[i])}].all.push_back(i);
+    of_code[b.reported[i].code].all.push_back(i);
+  }
   for (const Diagnostic& one : a.reported) {
-    std::size_t same = b.reported.size();
-    for (std::size_t i = 0; i < b.reported.size(); ++i)
-      if (!answered[i] && b.reported[i].code == one.code &&
-          (b.reported[i].message == one.message || options_.are_two_programs))
-        same = std::min(same, i);
-    if (same < b.reported.size()) {
-      answered[same] = true;
+    if (const auto same = alike[{one.code, wording(one)}].take(answered)) {
       if (one.severity == Severity::error) ++errors_of_both_;
-    } else {
-      for (std::size_t i = 0; i < b.reported.size() && same == b.reported.size(); ++i)
-        if (!answered[i] && b.reported[i].code == one.code) same = i;
-      const Diagnostic* const other = same < b.reported.size() ? &b.reported[same] : nullptr;
-      if (other != nullptr) answered[same] = true;
-      add_report(0, one, other, a, b);
+      continue;
     }
+    const auto other = of_code[one.code].take(answered);
+    add_report(0, one, other ? &b.reported[*other] : nullptr, a, b);
   }
   for (std::size_t i = 0; i < b.reported.size(); ++i)
     if (!answered[i]) add_report(1, b.reported[i], nullptr, a, b);
