@@ -94,10 +94,14 @@ ProgramPlaces::ProgramPlaces(const std::vector<std::string>& places, const std::
     if (given->folders.size() > most_subfolders || given->resolved == main_folder) continue;
     const auto subfolders = given->folders;
     for (const auto& [name, spellings] : subfolders)
-      for (const std::string& spelling : spellings)
-        if (may_hold_levels(given->resolved / spelling))
-          for (Folder* const subfolder : below(*given, name))
-            if (place_levels(*subfolder)) add_once(roots_, subfolder);
+      for (const std::string& spelling : spellings) {
+        if (!may_hold_levels(given->resolved / spelling)) {
+          asked_.push_back(given->shown == "." ? spelling : (fs::path(given->shown) / spelling).string());
+          continue;
+        }
+        for (Folder* const subfolder : below(*given, name))
+          if (place_levels(*subfolder)) add_once(roots_, subfolder);
+      }
   }
 }
 

@@ -55,6 +55,8 @@ class ProgramPlaces {
   const std::vector<Found>& inside();
   /// The folders and files that were looked at up to now, those of the search order and of paths among them.
   std::vector<std::string> looked_in() const;
+  /// Folders that may hold folders of the search order one day, and hold none of them yet.
+  const std::vector<std::string>& asked() const { return asked_; }
   std::string describe() const;  ///< "folder a, file b"; what inside() has left out of a folder is told
 
  private:
@@ -79,6 +81,7 @@ class ProgramPlaces {
 
   std::optional<std::vector<Found>> inside_;
   std::deque<Folder> folders_;
+  std::vector<std::string> asked_;
   std::vector<Folder*> given_, roots_;  // roots_: where folders of the search order stand, or may stand
   const std::vector<SearchFolder>& order_;
   std::vector<std::vector<Folder*>> levels_;  // the folders for each part of order_

@@ -72,6 +72,7 @@ bool ProgramSearch::find(const ig_go& request, const Caller& caller, Target& out
   if (!start.empty()) {
     const auto at = labels(*out.file, line).find(start, out.start, IG_SEARCH_TOP);
     if (!at) {
+      if (options_.called && without_start_.insert(key).second) options_.called(label, out.file->name);
       reason = std::string(label) + " has no " + std::string(start);
       return false;
     }
@@ -88,6 +89,7 @@ void ProgramSearch::report_searched() {
   std::vector<std::string> looked_in = places().looked_in();
   const std::pair now(looked_in.size(), neighbours_.has_value());
   if (std::exchange(searched_, now) == now) return;
+  if (!places().asked().empty()) options_.searched(places().asked(), false);
   std::vector<std::string> all = options_.program_places;
   for (std::string& folder : looked_in)
     if (std::find(all.begin(), all.end(), folder == "." ? std::string() : folder) == all.end())

@@ -76,6 +76,7 @@ class ProgramSearch {
   std::unique_ptr<Indexer> indexer_;
   std::unique_ptr<ProgramPlaces> places_;
   std::unordered_map<std::string, Target> known_;
+  std::set<std::string> without_start_;  // calls that were told although their program has no such start
   BlockPlace main_start_;
   std::set<std::string, std::less<>> hiding_;         // programs that were reported to hide others
   std::optional<std::vector<Neighbour>> neighbours_;  // read once, since a program may call any number of others
