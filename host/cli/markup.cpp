@@ -17,8 +17,11 @@ std::string escaped_xml(std::string_view text) {
 }
 
 std::string visible_xml(std::string_view text) {
-  std::string out;
-  for (const char c : escaped_xml(printable(text, "\n\t"))) c == '\n' ? out += "&#10;" : out += c;
+  std::string shown = printable(text, "\n\t"), out;
+  // U+FFFE and U+FFFF, which are UTF-8 but no characters of XML.
+  for (std::size_t at = 0; (at = shown.find("\xef\xbf", at)) != std::string::npos; at += 3)
+    if (shown.compare(at + 2, 1, "\xbd") > 0) shown[at + 2] = '\xbd';
+  for (const char c : escaped_xml(shown)) c == '\n' ? out += "&#10;" : out += c;
   return out;
 }
 

@@ -35,6 +35,13 @@ std::string head_of(const fs::path& file) {
   return head;
 }
 
+/// The name of a program as it is told and given on: none begins as an option does, or as a formula of a sheet.
+std::string name_of(const fs::path& file) {
+  std::string name = file.lexically_normal().string();
+  const bool is_plain = !name.empty() && std::string_view("=+-@\t\r").find(name.front()) == std::string_view::npos;
+  return is_plain ? name : "./" + name;
+}
+
 /// Tables and dialects are XML; drawings, archives and sheets have bytes that no part program has.
 bool is_text_of_program(const fs::path& file) {
   return file.extension() != ".xml" && head_of(file).find('\0') == std::string::npos;
@@ -79,7 +86,7 @@ void add_folder(const fs::path& folder, const fs::path& below, const ProgramPlac
     if (!is_hidden && at->is_directory(ignored) && !at->is_symlink(ignored))
       add_folder(at->path(), below / name, wanted, out, session);
     else if (!is_hidden && is_program(*at, below / name, wanted, out))
-      out.programs.push_back(at->path().lexically_normal().string());
+      out.programs.push_back(name_of(at->path()));
     else
       ++out.left_out;
   }
@@ -94,7 +101,7 @@ bool add_place(const std::string& place, const ProgramPlaces& wanted, ProgramLis
     return false;
   }
   if (!fs::is_directory(status)) {
-    out.programs.push_back(fs::path(place).lexically_normal().string());
+    out.programs.push_back(name_of(place));
   } else if (fs::equivalent(place, wanted.results, error)) {
     session.report("IG-0513", {}, {"the results need a folder of their own, and " + place + " holds the programs"});
     return false;
@@ -122,7 +129,9 @@ bool add_list(const std::string& list, const ProgramPlaces& wanted, ProgramList&
     if (std::error_code ignored; fs::exists(std::string(line), ignored)) {
       sound = add_place(std::string(line), wanted, out, session) && sound;
     } else {
-      session.report("IG-0510", {list, number, 1}, {"no such file or folder: " + std::string(line)});
+      constexpr std::size_t most_shown = 1000;
+      session.report("IG-0510", {list, number, 1},
+                     {"no such file or folder: " + std::string(line.substr(0, most_shown))});
       sound = false;
     }
   }

@@ -26,10 +26,10 @@ std::string quoted(const std::string& word) {
 enum class Job : std::uint8_t { part, merge };
 
 /// What the batch was given, without what makes it submit itself; the job that merges runs nothing.
-std::string command_of(const BatchArguments& arguments, Job job) {
+std::string command_of(const BatchArguments& arguments, Job job, const std::string& more) {
   std::error_code error;
   const fs::path command = fs::read_symlink("/proc/self/exe", error);
-  std::string out = quoted((error ? folder_of_executable() / "isogloss" : command).string()) + " batch";
+  std::string out = quoted((error ? folder_of_executable() / "isogloss" : command).string()) + " batch " + more;
   std::vector<std::string> flags{"--no-submit"}, options{"--slurm", "--slurm-options"};
   if (job == Job::merge) {
     flags.emplace_back("--retry");
@@ -38,8 +38,14 @@ std::string command_of(const BatchArguments& arguments, Job job) {
   const auto is_one_of = [](const std::vector<std::string>& names, const std::string& word) {
     return std::find(names.begin(), names.end(), word) != names.end();
   };
+  bool are_names = false;  // behind --
   for (std::size_t i = 0; i < arguments.given.size(); ++i) {
     const std::string& word = arguments.given[i];
+    are_names = are_names || word == "--";
+    if (are_names) {
+      out += " " + quoted(word);
+      continue;
+    }
     const bool holds_value = std::any_of(options.begin(), options.end(), [&](const std::string& name) {
       return word.starts_with(name.starts_with("--") ? name + "=" : name);
     });
@@ -62,9 +68,9 @@ std::string script(const BatchArguments& arguments, const fs::path& here, const 
                    const std::string& log, const std::string& head, Job job, const std::string& more) {
   return fmt::format(
       "#!/bin/sh\n#SBATCH --job-name=isogloss\n#SBATCH --output=\"{}\"\n#SBATCH --open-mode=append\n{}{}cd {} || exit "
-      "2\nexec {} {}\n",
+      "2\nexec {}\n",
       log_name(folder, log), head, arguments.slurm_options.empty() ? "" : "#SBATCH " + arguments.slurm_options + "\n",
-      quoted(here.string()), command_of(arguments, job), more);
+      quoted(here.string()), command_of(arguments, job, more));
 }
 
 /// The number of the job that sbatch has made: a line of digits, with the cluster's name behind a semicolon, beside
