@@ -1,5 +1,9 @@
 // A plugin that misbehaves on command: M901 writes through a null pointer, M902 never returns, M903 throws, M904
-// aborts, M905 prints a line, M906 prints for ever, and the scanner crashes at a question mark.
+// aborts, M905 prints a line, M906 prints for ever, M907 closes what it could print to, M908 leaves a process behind,
+// and the scanner crashes at a question mark.
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <isogloss/sdk.hpp>
@@ -14,7 +18,7 @@ namespace {
 struct Misbehave {
   static constexpr auto spec = ig::syntax("MisbehaveSyntax", "Misbehaves when told to.").scans("?");
 
-  ig::Codes codes_{"M901", "M902", "M903", "M904", "M905", "M906"};
+  ig::Codes codes_{"M901", "M902", "M903", "M904", "M905", "M906", "M907", "M908"};
 
   [[gnu::no_sanitize("undefined")]] static void crash() {  // a real crash, in a sanitizer build too
     volatile int* volatile nowhere = nullptr;
@@ -40,6 +44,13 @@ struct Misbehave {
       case 4: std::puts("{\"Summary\": null, \"First\": null, \"Called\": []}"); break;
       case 5:
         while (forever) std::puts("noise");
+        break;
+      case 6:
+        for (int descriptor = STDOUT_FILENO; descriptor < 64; ++descriptor)
+          if (struct stat info{}; ::fstat(descriptor, &info) == 0 && S_ISFIFO(info.st_mode)) ::close(descriptor);
+        break;
+      case 7:
+        if (::fork() == 0) ::sleep(600), ::_exit(0);
         break;
       default: std::abort();
     }

@@ -27,7 +27,7 @@ struct Child {
   pid_t process = 0;
   std::size_t work = 0;
   std::array<int, 2> pipes{-1, -1};  // its standard output and standard error
-  Clock::time_point begin = Clock::now();
+  Clock::time_point begin = Clock::now(), silent_since{};
   ChildEnd end;
 
   bool is_heard() const { return pipes[0] >= 0 || pipes[1] >= 0; }
@@ -70,7 +70,7 @@ bool start(Child& child, const std::vector<std::string>& words) {
 
 /// Reads what is there, but not for ever from one that writes without an end; closes the pipe at its end.
 void hear(Child& child, std::size_t which) {
-  constexpr std::size_t most_errors = 1u << 16, most_out = 1u << 26;
+  constexpr std::size_t most_errors = 1u << 16, most_out = 1u << 24;
   std::string& text = which == 0 ? child.end.out : child.end.errors;
   const std::size_t most = which == 0 ? most_out : most_errors;
   constexpr int most_reads = 64;
@@ -95,6 +95,9 @@ std::uint64_t resident_mib(pid_t process) {
   return out;
 }
 
+/// With what it has started and left in its group.
+void kill_all_of(const Child& child) { ::kill(-child.process, SIGKILL); }
+
 /// Kills a child that has used up what it may.
 void hold(Child& child, const ChildLimits& limits) {
   if (child.end.how != ChildEnd::How::exited) return;
@@ -102,7 +105,13 @@ void hold(Child& child, const ChildLimits& limits) {
   const bool is_large = limits.memory_mib != 0 && resident_mib(child.process) > limits.memory_mib;
   if (!is_late && !is_large) return;
   child.end.how = is_late ? ChildEnd::How::out_of_time : ChildEnd::How::out_of_memory;
-  ::kill(child.process, SIGKILL);
+  kill_all_of(child);
+}
+
+/// It is left as it is, so that its number stays its own.
+bool has_ended(const Child& child) {
+  siginfo_t info{};
+  return ::waitid(P_PID, static_cast<id_t>(child.process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
 }
 
 void wait_for(Child& child) {
@@ -114,15 +123,28 @@ void wait_for(Child& child) {
   child.end.number = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+/// Its pipes may be open still, where it has started others: what they print is no result.
+void end(Child& child) {
+  for (std::size_t which = 0; which < 2; ++which)
+    if (child.pipes[which] >= 0) hear(child, which);
+  kill_all_of(child);
+  for (int& pipe : child.pipes) close_pipe(pipe);
+  wait_for(child);
+}
+
+/// For at most `milliseconds`, and hardly at all where a child has just closed its pipes: it is about to end.
 void hear_all(std::list<Child>& children, int milliseconds) {
+  constexpr auto time_to_end = std::chrono::milliseconds(100);
   std::vector<pollfd> waited;
   std::vector<std::pair<Child*, std::size_t>> whose;
-  for (Child& child : children)
+  for (Child& child : children) {
     for (std::size_t which = 0; which < 2; ++which)
       if (child.pipes[which] >= 0) {
         waited.push_back({child.pipes[which], POLLIN, 0});
         whose.emplace_back(&child, which);
       }
+    if (!child.is_heard() && Clock::now() - child.silent_since < time_to_end) milliseconds = 1;
+  }
   if (::poll(waited.data(), waited.size(), milliseconds) <= 0) return;
   for (std::size_t i = 0; i < waited.size(); ++i)
     if (waited[i].revents != 0) hear(*whose[i].first, whose[i].second);
@@ -158,18 +180,19 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
   };
   for (fill(); !children.empty(); fill()) {
     if (NotedSignals::last() != 0)
-      for (const Child& child : children) ::kill(child.process, SIGKILL);
+      for (const Child& child : children) kill_all_of(child);
     hear_all(children, tick_ms);
     if (Clock::now() - last_look >= std::chrono::milliseconds(tick_ms)) {
       for (Child& child : children) hold(child, limits);
       last_look = Clock::now();
     }
     for (auto child = children.begin(); child != children.end();) {
-      if (child->is_heard()) {
+      if (!has_ended(*child)) {
+        if (!child->is_heard() && child->silent_since == Clock::time_point{}) child->silent_since = Clock::now();
         ++child;
         continue;
       }
-      wait_for(*child);
+      end(*child);
       if (NotedSignals::last() == 0) ended(child->work, std::move(child->end));
       child = children.erase(child);
     }
