@@ -21,6 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROGRAMS = HERE.parent / "programs"
 OPTIONS = None
 RESULTS = ("results.jsonl", "results.csv", "results.xml", "overview.html")
+LONG = "#1=0\nWHILE[#1LT600000]DO1\n#1=#1+1\n" + "#2=#1*2\n" * 12 + "END1\n"  # a second or more
 GOOD = "G21 G90 G94 G17\nG0 X10. Y5. Z2.\nG1 Z-1. F100.\nX20.\nM30\n"
 BAD = "G21 G90\nG1 X10. F100.\nG999 X1.\nM30\n"
 
@@ -313,6 +314,113 @@ class Batch(unittest.TestCase):
         self.batch(*bad, "--retry", dialect=("-d", "bad.xml"), status=3)
         self.assertEqual(self.journal()[7:], ["archive/crash.nc"])
 
+    def test_what_a_plugin_does_to_its_process_stops_no_batch(self):
+        """A program that closes its outputs and loops, and one that leaves a process behind which holds them."""
+        dialect = self.path / "bad.xml"
+        dialect.write_text('<Dialect xmlns="urn:isogloss:dialect:1" name="bad" extends="fanuc">'
+                           '<Plugins><Plugin name="cli_bad_plugin"/></Plugins><Chain>'
+                           '<InsertBefore syntax="WordSyntax"><MisbehaveSyntax/></InsertBefore></Chain></Dialect>')
+        self.write("behind.nc", GOOD.replace("M30", "M908\nM30"))
+        self.write("closed.nc", "M907\nN1 G1 X1. F100.\nX0\nGOTO 1\nM30\n")
+        self.write("held.nc", "M908\nN1 G1 X1. F100.\nX0\nGOTO 1\nM30\n")
+        self.batch("--plugins", OPTIONS.bad_plugins, "--max-time", 2 * (OPTIONS.seconds // 5 + 1), "--max-jumps", 999999999,
+                   "--max-loop-blocks", 99999999999, dialect=("-d", "bad.xml"), status=1)
+        self.assertEqual({name: r["Status"] for name, r in self.results().items()},
+                         {"behind.nc": "ok", "closed.nc": "out of time", "held.nc": "out of time"})
+        self.assertEqual(self.results()["behind.nc"]["Feeds"], 2)
+
+    def begun(self, *more, out="out", programs=1):
+        """A batch that is at work on so many programs."""
+        process = subprocess.Popen([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", out, *more], cwd=self.path,
+                                   stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.stderr.close)
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while len(children_of(process.pid)) < programs:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.002)
+        return process
+
+    def test_a_table_that_changes_meanwhile_lets_all_begin_anew(self):
+        offset = '<Dependencies><IsoCoordinateTable><Offset id="G54" X="{}"/></IsoCoordinateTable></Dependencies>'
+        table = self.path / "offsets.xml"
+        for number in range(2):
+            self.write(f"{number}.nc", f"G21 G90 G54\nG0 X0\n{LONG}G0 X1.\nM30\n")
+        table.write_text(offset.format(-100))
+        self.batch("--offsets", "offsets.xml", out="first")
+        table.write_text(offset.format(-200))
+        self.batch("--offsets", "offsets.xml", out="second")
+        table.write_text(offset.format(-100))
+        process = self.begun("--offsets", "offsets.xml", "-j1")
+        time.sleep(0.1)
+        table.write_text(offset.format(-200))
+        said = process.communicate(timeout=20 * OPTIONS.seconds)[1]
+        self.assertEqual(process.returncode, 0, said)
+        self.assertIn("offsets.xml has changed since the batch began: it begins anew", said)
+        for name in RESULTS:
+            self.assertEqual((self.path / "out" / name).read_bytes(), (self.path / "second" / name).read_bytes(), name)
+        table.write_text(offset.format(-100))  # no result of the other table counts as one of this
+        self.batch("--offsets", "offsets.xml")
+        for name in RESULTS:
+            self.assertEqual((self.path / "out" / name).read_bytes(), (self.path / "first" / name).read_bytes(), name)
+
+    def test_a_program_that_changes_while_it_runs_runs_again(self):
+        for changed in ("main.nc", "O7000"):
+            with self.subTest(changed):
+                self.write("O7000", "O7000\nG0 X30.\nM99\n")
+                main = f"G21 G90\nG0 X1.\nM98 P7000\n{LONG}M30\n"
+                self.write("main.nc", main)
+                process = self.begun("--include", "main.nc", out=changed)
+                time.sleep(0.3)
+                if changed == "O7000":
+                    self.write("O7000", "O7000\nG0 X70.\nM99\n")
+                else:
+                    self.write("main.nc", main.replace("M98 P7000", "G0 X70."))
+                said = process.communicate(timeout=20 * OPTIONS.seconds)[1]
+                self.assertEqual(process.returncode, 0, said)
+                self.assertEqual(self.results(changed)["main.nc"]["RapidLength_mm"], 70)
+                self.batch("--include", "main.nc", out=changed)
+                self.assertEqual(len(self.journal(changed)), 1)
+
+    def test_results_in_the_folder_of_the_machine_change_no_machine(self):
+        self.write("a.nc", GOOD)
+        (self.path / "shop").mkdir()
+        (self.path / "shop" / "machine.xml").write_text(
+            '<Machine xmlns="urn:isogloss:dialect:1" name="shop" title="Shop" dialect="fanuc"/>')
+        for _ in range(3):
+            self.batch("--machines", ".", "-m", "shop", dialect=(), out="shop/results")
+        self.assertEqual(len(self.journal("shop/results")), 1)
+
+    def test_a_folder_of_the_search_order_that_comes_later_counts(self):
+        """Folders such as CUS.DIR are searched one folder further down, too."""
+        self.write("a.mpf", "G71 G90\nG0 X1\nL7000\nM30\n")
+        card = self.path / "card" / "MILL"
+        card.mkdir(parents=True)
+        (card / "notes.txt").write_text("no program")
+        named = ("--subprograms", "card")
+        self.batch(*named, dialect=("-d", "siemens"), status=1)
+        self.batch(*named, dialect=("-d", "siemens"), status=1)
+        self.assertEqual(len(self.journal()), 1)
+        (card / "CUS.DIR").mkdir()
+        (card / "CUS.DIR" / "L7000.SPF").write_text("G0 X30\nM17\n")
+        self.batch(*named, dialect=("-d", "siemens"))
+        self.assertEqual(self.results()["a.mpf"]["RapidLength_mm"], 30)
+
+    def test_a_called_program_without_the_start_that_is_asked_for_counts(self):
+        self.write("main.nc", GOOD.replace("M30", "M98 P7000 Q10\nM30"))
+        self.write("O7000", "O7000\nG0 X30.\nM99\n")
+        named = ("--include", "main.nc")
+        self.batch(*named, status=1)
+        self.write("O7000", "O7000\nN10 G0 X30.\nM99\n")
+        self.batch(*named)
+
+    def test_a_journal_that_cannot_be_read_is_told(self):
+        self.write("a.nc", GOOD)
+        self.batch()
+        [file] = (self.path / "out/journal").iterdir()
+        file.unlink()
+        file.symlink_to("nowhere")
+        self.assertIn("[IG-0672]", self.batch().stderr)
+
     def test_what_was_run_again_replaces_a_failure(self):
         self.write("a.nc", GOOD)
         self.batch()
@@ -344,6 +452,35 @@ class Batch(unittest.TestCase):
             self.assertEqual(len(self.journal()), 4)
         self.batch("--merge")
         self.assertIn("archive/M\ufffdLLER.nc", (self.path / "out/results.csv").read_text())
+
+    def test_names_that_look_like_options_formulas_or_no_text(self):
+        names = ["--help", "-x.nc", "=1+1.nc", "@SUM(A1).nc", "+1.nc", "\t=1.nc", "]]>&.nc", "\ufffe.nc", "\uffff.nc"]
+        for name in names:
+            self.write(name, GOOD)
+        done = subprocess.run([OPTIONS.isogloss, "batch", "-d", "fanuc", "-o", "../out", "--", *names], cwd=self.archive,
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = subprocess.run([OPTIONS.isogloss, "batch", ".", "-d", "fanuc", "-o", "../below"], cwd=self.archive,
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for out in ("out", "below"):
+            with (self.path / out / "results.csv").open(newline="", encoding="utf-8") as table:
+                rows = list(csv.DictReader(table))
+            self.assertEqual(sorted(row["Program"].removeprefix("./") for row in rows), sorted(names))
+            self.assertEqual([row["Program"] for row in rows if row["Program"][0] in "=+-@\t"], [])
+            suite = xml.etree.ElementTree.parse(self.path / out / "results.xml").getroot()[0]
+            self.assertEqual(len(suite), len(names))
+
+    def test_a_message_that_looks_like_a_formula_is_text(self):
+        self.write("a.nc", GOOD)
+        self.batch()
+        [file] = (self.path / "out/journal").iterdir()
+        result = json.loads(file.read_text())
+        result["Result"]["First"] = {"Severity": "warning", "Message": "=1+1"}
+        file.write_text(json.dumps(result) + "\n")
+        self.batch()
+        with (self.path / "out/results.csv").open(newline="") as table:
+            self.assertEqual(next(csv.DictReader(table))["First"], "'=1+1")
 
     def test_few_file_descriptors_mean_few_processes(self):
         self.archive_of(6)
@@ -434,6 +571,16 @@ class Batch(unittest.TestCase):
         for word in ("--retry", "-j1", "--changed-since", "whole"):
             self.assertIn(f"'{word}'", (self.path / "other/slurm/parts.sh").read_text())
             self.assertNotIn(f"'{word}'", (self.path / "other/slurm/merge.sh").read_text())
+        for name in ("--slurm", "-jx.nc"):  # behind -- they are programs
+            self.write(name, GOOD)
+        for script in ("parts", "merge"):
+            subprocess.run([OPTIONS.isogloss, "batch", "-d", "fanuc", "-o", "../named", "--slurm", "1", "--no-submit", "--",
+                            "--slurm", "-jx.nc"], cwd=self.archive, capture_output=True, check=True)
+            subprocess.run(["sh", self.path / f"named/slurm/{script}.sh"], check=True, capture_output=True,
+                           env={**os.environ, "SLURM_ARRAY_TASK_ID": "1"})
+        self.assertEqual(len((self.path / "named/results.jsonl").read_text().splitlines()), 2)
+        for name in ("--slurm", "-jx.nc"):
+            (self.archive / name).unlink()
         # In place of the real sbatch: it runs all parts at once and refuses nothing.
         tool = self.path / "bin/sbatch"
         tool.parent.mkdir()

@@ -203,6 +203,20 @@ static int takes_hold_of_terminal(void) {
   return write(STDERR_FILENO, text, sizeof text - 1) > 0 ? 0 : -1;
 }
 
+static int prints_a_result(void) { /* into every pipe that it finds; a bracket is printed a million times */
+  static char many[1000000];
+  for (int descriptor = 3; descriptor < 64; ++descriptor) {
+    if (write(descriptor, target, 0) < 0) continue;
+    for (const char* at = target; *at != 0; ++at) {
+      const size_t count = *at == '[' || *at == ']' ? sizeof many : 1;
+      memset(many, *at, count);
+      write(descriptor, many, count);
+    }
+    write(descriptor, "\n", 1);
+  }
+  return 0;
+}
+
 static const struct {
   const char* name;
   int (*act)(void);
@@ -253,6 +267,7 @@ static const struct {
     DEED(starts_threads),
     DEED(prints_without_end),
     DEED(takes_hold_of_terminal),
+    DEED(prints_a_result),
 };
 
 static void act(const char* now) {

@@ -469,6 +469,38 @@ class Untrusted(unittest.TestCase):
             self.assertIn("IG-0681", result["First"]["Message"])
         self.assertEqual(state_of(self.outside), before)
 
+    def test_a_result_that_a_plugin_made_up_does_a_batch_no_harm(self):
+        (self.work / "archive").mkdir()
+        for name in ("a.nc", "b.nc"):
+            (self.work / "archive" / name).write_text(PART)
+        rest = '"First": null, "Called": {}, "Places": {}, "LooksInside": false}'
+        for number, made_up in enumerate((
+                '{"Summary": {"Program": 1, "Status": 5, "Dialect": 7, "Blocks": "<b>", "First": 3, "Diagnostics": '
+                '{"Severity": 2, "Count": "x"}}, "First": {"File": 1, "Line": "x", "Message": {}, "Code": {}}, '
+                '"Called": {"/proc/self/pagemap": "", "/etc/passwd": ""}, "Places": {"/": {"State": "", "Inside": true}}}',
+                '{"Summary": {"Status": 5}, ' + rest, '{"Summary": {"Deep": []}, ' + rest, "[]",
+                '{"Summary": 1, "First": 2, "Called": 3, "Places": 0}', "{", "null", '"\\xff')):
+            with self.subTest(number):
+                out = f"made-up-{number}"
+                for again in range(2):
+                    done = self.run_it("batch", "archive", "-d", "hostile.xml", "--plugins", OPTIONS.hostile, "-o", out,
+                                       "--untrusted", environment=self.environment("prints_a_result", "build", made_up))
+                    self.assertIn(done.returncode, (0, 1, 3), done.stderr)
+                    self.assertIn("2 programs", done.stderr)
+                results = [json.loads(line) for line in (self.work / out / "results.jsonl").read_text().splitlines()]
+                self.assertEqual([r["Program"] for r in results], ["archive/a.nc", "archive/b.nc"])
+                self.assertEqual({type(r["Status"]) for r in results}, {str})
+                for file in (self.work / out / "journal").iterdir():
+                    self.assertNotIn("/etc/passwd", file.read_text())
+
+    def test_what_no_batch_can_confine_is_not_run(self):
+        os.mkfifo(self.work / "pipe.nc")
+        done = self.run_it("batch", "pipe.nc", "-d", "iso", "-o", "out", "--untrusted")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        result = json.loads((self.work / "out" / "results.jsonl").read_text())
+        self.assertEqual(result["Status"], "not run")
+        self.assertIn("IG-0685", result["First"]["Message"])
+
     def test_limits_of_a_batch_hold_for_what_is_confined(self):
         for deed, status in (("loops_without_watch", "out of time"), ("allocates", "out of memory")):
             with self.subTest(deed):

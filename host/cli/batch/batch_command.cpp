@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -53,27 +54,34 @@ class Batch {
   int do_part(const std::vector<std::string>& programs);
   bool take_over(const std::string& program);
   bool do_rest();
+  std::string changed_file();
+  bool has_changed(std::size_t number, const std::optional<Work>& work);
   std::vector<std::string> arguments_for(const std::string& program) const;
-  void finish(const std::string& program, const ChildEnd& end);
+  bool finish(std::size_t number, const ChildEnd& end);
+  bool is_own(const std::string& program, const std::string& file);
   void keep(const Finished& finished);
   int write_results(const std::vector<std::string>& programs);
 
   const BatchArguments& arguments_;
   Session& session_;
   ChildLimits limits_;  // of memory a quarter more than a run allows itself, which can tell more
-  std::string surroundings_;
+  Surroundings surroundings_;
   Journal journal_, before_;
   FileHashes hashes_;
+  std::map<std::string, const Finished*> done_;
   std::vector<std::string> rest_;
-  std::set<std::string> killed_;  // once, by others
-  std::string fault_;             // that lets nothing go on
+  std::map<std::size_t, std::string> begun_;     // the state of a program of rest_ when it began
+  std::map<std::string, unsigned> begun_again_;  // how often, because of what has changed meanwhile
+  std::set<std::string> killed_;                 // once, by others
+  std::string changed_;                          // file of the surroundings: all has to begin anew
+  std::string fault_;                            // that lets nothing go on
 };
 
 int Batch::run() {
-  const std::optional<std::string> surroundings = hash_of_surroundings(arguments_, hashes_, session_);
+  std::optional<Surroundings> surroundings = surroundings_of(arguments_, hashes_, session_);
   const std::optional<ProgramList> list = surroundings ? list_programs(arguments_.places, session_) : std::nullopt;
   if (!list) return cannot_start;
-  surroundings_ = *surroundings;
+  surroundings_ = std::move(*surroundings);
   if (list->left_out != 0) session_.report("IG-0671", {}, {std::to_string(list->left_out)});
   journal_.read(arguments_.output);
   for (const std::string& folder : arguments_.changed_since)
@@ -97,21 +105,33 @@ int Batch::do_part(const std::vector<std::string>& programs) {
     session_.report("IG-0511", {arguments_.output}, {error});
     return cannot_start;
   }
-  for (const std::string& program : programs)
-    if (!take_over(program)) rest_.push_back(program);
-  if (const std::size_t done = programs.size() - rest_.size(); done != 0)
-    say(fmt::format("{} of {} programs were finished before and have not changed", done, programs.size()));
-  const bool is_done = do_rest();
-  session_.progress().hide();
-  if (!fault_.empty()) {
-    session_.report("IG-0675", {arguments_.output}, {fault_});
-    return cannot_start;
+  constexpr int most_times = 3;
+  for (int times = 1;; ++times) {
+    rest_.clear();
+    for (const std::string& program : programs)
+      if (!take_over(program)) rest_.push_back(program);
+    if (const std::size_t done = programs.size() - rest_.size(); done != 0)
+      say(fmt::format("{} of {} programs were finished before and have not changed", done, programs.size()));
+    const bool is_done = do_rest();
+    session_.progress().hide();
+    if (fault_.empty() && !changed_.empty() && times == most_times) fault_ = changed_ + " changes again and again";
+    if (!fault_.empty()) {
+      session_.report("IG-0675", {arguments_.output}, {fault_});
+      return cannot_start;
+    }
+    if (!is_done) {
+      say("ended by a signal: what is finished is kept, and the same command goes on from there");
+      return cannot_start;
+    }
+    if (changed_.empty()) return success;
+    say(changed_ + " has changed since the batch began: it begins anew");
+    changed_.clear();
+    done_.clear();
+    hashes_ = {};
+    std::optional<Surroundings> surroundings = surroundings_of(arguments_, hashes_, session_);
+    if (!surroundings) return cannot_start;
+    surroundings_ = std::move(*surroundings);
   }
-  if (!is_done) {
-    say("ended by a signal: what is finished is kept, and the same command goes on from there");
-    return cannot_start;
-  }
-  return success;
 }
 
 /// True: the program is finished.
@@ -119,8 +139,11 @@ bool Batch::take_over(const std::string& program) {
   const auto is_taken = [&](const Finished* finished) {
     return finished != nullptr && !(arguments_.retries && finished->is_failure);
   };
-  if (is_taken(journal_.find(program, surroundings_, hashes_))) return true;
-  const Finished* const old = before_.find(program, surroundings_, hashes_);
+  if (const Finished* const known = journal_.find(program, surroundings_.hash, hashes_); is_taken(known)) {
+    done_[program] = known;
+    return true;
+  }
+  const Finished* const old = before_.find(program, surroundings_.hash, hashes_);
   if (!is_taken(old)) return false;
   keep(*old);
   return true;
@@ -130,9 +153,10 @@ bool Batch::do_rest() {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   std::size_t begun = 0, done = 0;
   const auto next = [&](std::size_t& work) {
-    if (begun == rest_.size() || !fault_.empty()) return std::vector<std::string>();
+    if (begun == rest_.size() || !fault_.empty() || !changed_.empty()) return std::vector<std::string>();
     work = begun++;
-    hashes_.of(rest_[work]);  // as it is before it is run
+    begun_[work] = state_of(rest_[work]);
+    hashes_.of_now(rest_[work]);  // as it is before it is run
     return arguments_for(rest_[work]);
   };
   const auto ended = [&](std::size_t work, const ChildEnd& end) {
@@ -140,42 +164,94 @@ bool Batch::do_rest() {
       fault_ = "no process can be started: " + std::string(std::strerror(end.number));
       return;
     }
+    if (changed_.empty()) changed_ = changed_file();
+    if (!changed_.empty()) return;
     // Whoever has killed it may be about to kill this process as well, and then it has not crashed.
-    if (is_killed_by_others(end) && killed_.insert(rest_[work]).second) {
+    const bool is_first_kill = is_killed_by_others(end) && killed_.insert(rest_[work]).second;
+    if (is_first_kill || !finish(work, end)) {
       rest_.push_back(rest_[work]);
       return;
     }
-    finish(rest_[work], end);
     session_.progress().show(++done, rest_.size(), rest_[work]);
   };
   return Children::run(arguments_.jobs == 0 ? cores : arguments_.jobs, limits_, next, ended);
 }
 
+/// Of the machine, the dialect, the tables or the plugins one that is not what it was. A result may be of either.
+std::string Batch::changed_file() {
+  for (const auto& [file, hash] : surroundings_.files)
+    if (hashes_.of_now(file) != hash) return file;
+  return {};
+}
+
 std::vector<std::string> Batch::arguments_for(const std::string& program) const {
-  std::vector<std::string> out{"isogloss", "batch"};
+  std::vector<std::string> out{"isogloss", "batch", "--parent", std::to_string(::getpid()), "--work", program};
   out.insert(out.end(), arguments_.given.begin(), arguments_.given.end());
-  out.insert(out.end(), {"--parent", std::to_string(::getpid()), "--work", program});
   return out;
 }
 
-void Batch::finish(const std::string& program, const ChildEnd& end) {
-  const std::optional<Work> work = end.how == ChildEnd::How::exited ? read_work(end.out) : std::nullopt;
+/// The program or one that it calls is not what it was when it was read.
+bool Batch::has_changed(std::size_t number, const std::optional<Work>& work) {
+  if (state_of(rest_[number]) != begun_[number]) return true;
+  if (!work) return false;
+  const auto is_other = [](const auto& file) { return state_of(file.first) != file.second; };
+  const auto is_other_place = [](const auto& place) { return state_of(place.first) != place.second.state; };
+  return std::any_of(work->called.begin(), work->called.end(), is_other) ||
+         std::any_of(work->places.begin(), work->places.end(), is_other_place);
+}
+
+/// False: it has to run once more.
+bool Batch::finish(std::size_t number, const ChildEnd& end) {
+  const std::string& program = rest_[number];
+  std::optional<Work> work = end.how == ChildEnd::How::exited ? read_work(end.out) : std::nullopt;
+  if (work && arguments_.untrusted.on) {
+    std::erase_if(work->called, [&](const auto& file) { return !is_own(program, file.first); });
+    std::erase_if(work->places, [&](const auto& place) { return !is_own(program, place.first); });
+  }
   const Json result = result_of(program, end, work, limits_);
-  Finished finished{program, surroundings_, hashes_.of(program), {}, {}, {}};
+  Finished finished{program, surroundings_.hash, hashes_.of(program), {}, {}, {}};
   if (work)
-    for (const std::string& file : work->called) finished.called[file] = hashes_.of(file);
-  // What is looked for may be another program the next time. Where a run that ended by a crash has looked is not known.
-  std::vector<std::string> places = arguments_.program.subprograms;
-  places.push_back(std::filesystem::path(program).parent_path().string());
-  for (const std::string& place : work ? work->places : places)
-    finished.places[place] = hashes_.of_place(place, work && work->looks_inside);
+    for (const auto& [file, state] : work->called) finished.called[file] = hashes_.of_now(file);
+  if (work)
+    for (const auto& [place, how] : work->places) finished.places[place] = hashes_.of_place(place, how.inside);
+  if (!work) {  // where it has looked for what it calls is not known
+    for (const std::string& place : arguments_.program.subprograms)
+      finished.places[place] = hashes_.of_place(place, false);
+    const std::string folder = std::filesystem::path(program).parent_path().string();
+    finished.places[folder] = hashes_.of_place(folder, false);
+  }
+  constexpr unsigned most_times = 3;
+  if (has_changed(number, work)) {
+    if (++begun_again_[program] < most_times) return false;
+    finished.content = "changed while it ran";  // no hash: it runs again the next time
+  }
   finished.result = result.dump(-1, ' ', false, Json::error_handler_t::replace);
   finished.is_failure = result["Status"] != "ok" && result["Status"] != "errors";
   keep(finished);
+  return true;
+}
+
+/// What a hostile plugin says that it has called is read here only where its program can have called it.
+bool Batch::is_own(const std::string& program, const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file.empty() ? "." : file, code), code);
+  const auto holds_it = [&](const fs::path& place) {
+    const fs::path folder = fs::canonical(place.empty() ? "." : place, code);
+    return !code && std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end()).first == folder.end();
+  };
+  std::vector<fs::path> places{fs::path(program).parent_path()};
+  places.insert(places.end(), arguments_.program.subprograms.begin(), arguments_.program.subprograms.end());
+  for (const auto& [known, hash] : surroundings_.files)
+    if (!known.starts_with("/proc/")) places.push_back(fs::path(known).parent_path());
+  return std::any_of(places.begin(), places.end(), holds_it);
 }
 
 void Batch::keep(const Finished& finished) {
-  if (const std::string error = journal_.append(finished); !error.empty())
+  std::string error;
+  if (const Finished* const kept = journal_.append(finished, error))
+    done_[finished.program] = kept;
+  else
     fault_ = "the journal takes no more lines: " + error;
 }
 
@@ -184,7 +260,10 @@ int Batch::write_results(const std::vector<std::string>& programs) {
   std::uint64_t missing = 0;
   int status = success;
   for (const std::string& program : programs) {
-    const Finished* const finished = journal_.find(program, surroundings_, hashes_);
+    // What has changed since it was run here runs the next time.
+    const auto known = done_.find(program);
+    const Finished* const finished =
+        known != done_.end() ? known->second : journal_.find(program, surroundings_.hash, hashes_);
     if (finished == nullptr) {
       ++missing;
       continue;

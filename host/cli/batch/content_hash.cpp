@@ -1,6 +1,7 @@
 #include "batch/content_hash.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -19,6 +20,20 @@ namespace {
 
 constexpr std::uintmax_t largest_searched = std::uintmax_t{64} << 20;  // no program is looked for in a larger file
 
+std::string hash_of_file(const std::string& file) {
+  std::error_code code;
+  if (!fs::is_regular_file(file, code)) return "missing";  // a pipe would wait for its writer
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return "missing";
+  const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
+  XXH3_128bits_reset(state.get());
+  std::string buffer(std::size_t{1} << 18, '\0');
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0)
+    XXH3_128bits_update(state.get(), buffer.data(), static_cast<std::size_t>(in.gcount()));
+  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+  return ContentHash{hash.high64, hash.low64}.text();
+}
+
 }  // namespace
 
 std::string ContentHash::text() const { return fmt::format("{:016x}{:016x}", high, low); }
@@ -28,20 +43,23 @@ ContentHash hash_of(std::string_view bytes) {
   return {hash.high64, hash.low64};
 }
 
+std::string state_of(const std::string& file) {
+  struct stat s {};
+  if (::stat(file.empty() ? "." : file.c_str(), &s) != 0) return {};
+  return fmt::format("{}:{}:{}:{}.{:09}:{}.{:09}", s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec,
+                     s.st_ctim.tv_sec, s.st_ctim.tv_nsec);
+}
+
 const std::string& FileHashes::of(const std::string& file) {
-  const auto [at, is_new] = files_.try_emplace(file, "missing");
-  if (!is_new) return at->second;
-  std::error_code code;
-  if (!fs::is_regular_file(file, code)) return at->second;  // a pipe would wait for its writer
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return at->second;
-  const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
-  XXH3_128bits_reset(state.get());
-  std::string buffer(std::size_t{1} << 18, '\0');
-  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0)
-    XXH3_128bits_update(state.get(), buffer.data(), static_cast<std::size_t>(in.gcount()));
-  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-  return at->second = ContentHash{hash.high64, hash.low64}.text();
+  const auto known = files_.find(file);
+  return known != files_.end() ? known->second.hash : of_now(file);
+}
+
+const std::string& FileHashes::of_now(const std::string& file) {
+  std::string state = state_of(file);  // before it is read: what changes meanwhile is seen the next time
+  const auto [at, is_new] = files_.try_emplace(file);
+  if (is_new || at->second.state != state) at->second = {hash_of_file(file), std::move(state)};
+  return at->second.hash;
 }
 
 const std::string& FileHashes::of_place(const std::string& place, bool with_contents) {

@@ -17,17 +17,25 @@ struct ContentHash {
 
 ContentHash hash_of(std::string_view bytes);
 
+/// Which file it is, how large, and when it was last changed, without reading it. Empty: it is not there.
+std::string state_of(const std::string& file);
+
 /// Hashes of files, each read once.
 class FileHashes {
  public:
   /// "missing" for what cannot be read.
   const std::string& of(const std::string& file);
+  /// The same, read again where the file has changed since.
+  const std::string& of_now(const std::string& file);
   /// Of a file; of a folder the names in it, to see that one is added or gone, and where asked their contents, too:
   /// such a hash begins with `contents_mark`.
   const std::string& of_place(const std::string& place, bool with_contents);
 
  private:
-  std::map<std::string, std::string> files_;
+  struct Known {
+    std::string hash, state;
+  };
+  std::map<std::string, Known> files_;
   std::map<std::pair<std::string, bool>, std::string> folders_;
 };
 

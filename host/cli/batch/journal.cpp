@@ -81,6 +81,7 @@ bool Journal::read(const std::string& folder) {
 
 void Journal::read_file(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
+  if (!in) ++damaged_;
   for (std::string line; std::getline(in, line);) {
     if (std::optional<Finished> finished = read_line(line)) {
       std::string program = finished->program;
@@ -101,10 +102,10 @@ std::string Journal::open(const std::string& folder) {
   return error ? error.message() : std::string();
 }
 
-std::string Journal::append(const Finished& finished) {
+const Finished* Journal::append(const Finished& finished, std::string& error) {
   if (descriptor_ < 0) {
     descriptor_ = ::mkostemps(name_.data(), static_cast<int>(std::strlen(".jsonl")), O_APPEND | O_CLOEXEC);
-    if (descriptor_ < 0) return std::strerror(errno);
+    if (descriptor_ < 0) return error = std::strerror(errno), nullptr;
     ::fchmod(descriptor_, 0644);
   }
   const Json all{{"Program", text_of_name(finished.program)},
@@ -118,11 +119,10 @@ std::string Journal::append(const Finished& finished) {
   while (!rest.empty()) {
     const ssize_t n = ::write(descriptor_, rest.data(), rest.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return std::strerror(errno);
+    if (n <= 0) return error = std::strerror(errno), nullptr;
     rest.remove_prefix(static_cast<std::size_t>(n));
   }
-  all_.emplace(finished.program, finished);
-  return {};
+  return &all_.emplace(finished.program, finished)->second;
 }
 
 std::string text_of_name(std::string_view name) {

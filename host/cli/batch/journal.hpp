@@ -29,13 +29,14 @@ std::string name_of_text(std::string_view text);
 /// the same.
 class Journal {
  public:
-  /// Reads what all processes have written so far; false where there is nothing. Lines that cannot be read are counted.
+  /// Reads what all processes have written so far; false where there is nothing. Lines and files that cannot be read
+  /// are counted.
   bool read(const std::string& folder);
   std::uint64_t damaged_lines() const { return damaged_; }
   /// Makes the folder; an empty text, or the reason why not.
   std::string open(const std::string& folder);
-  /// An empty text, or the reason why it cannot be written.
-  std::string append(const Finished& finished);
+  /// The result as it is kept; null, and the reason, when it cannot be written.
+  const Finished* append(const Finished& finished, std::string& error);
   ~Journal();
   Journal() = default;
   Journal(const Journal&) = delete;

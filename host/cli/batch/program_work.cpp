@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <set>
 
+#include "batch/content_hash.hpp"
 #include "batch/journal.hpp"
 #include "crash_guard.hpp"
 #include "run/runs.hpp"
@@ -58,6 +58,25 @@ std::optional<int> enter_untrusted(const BatchArguments& arguments) {
   return cli::enter_untrusted(options, work);
 }
 
+/// Deeper JSON than a result is would exhaust the stack of whoever writes it again.
+bool is_too_deep(std::string_view json) {
+  constexpr int most = 100;
+  int depth = 0;
+  bool is_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (is_text && c == '\\')
+      ++i;
+    else if (c == '"')
+      is_text = !is_text;
+    else if (!is_text && (c == '[' || c == '{') && ++depth > most)
+      return true;
+    else if (!is_text && (c == ']' || c == '}'))
+      --depth;
+  }
+  return false;
+}
+
 }  // namespace
 
 int do_work(const BatchArguments& arguments) {
@@ -80,16 +99,19 @@ int do_work(const BatchArguments& arguments) {
   session.report_to([&](std::string_view lines) { first.hear(lines); });
   watch_calls(request.program.watchdog);
   std::optional<RunOptions> options = request.program.make(session);
-  std::vector<std::string> called;
-  std::set<std::string> places;
-  bool looks_inside = false;
+  Json called = Json::object(), places = Json::object();
   int status = cannot_start;
   Json summary;
   if (options) {
-    options->called = [&](std::string_view, const std::string& file) { called.push_back(text_of_name(file)); };
+    options->called = [&](std::string_view, const std::string& file) {
+      called.emplace(text_of_name(file), state_of(file));
+    };
     options->searched = [&](const std::vector<std::string>& in, bool inside_files) {
-      for (const std::string& place : in) places.insert(text_of_name(place));
-      looks_inside = looks_inside || inside_files;
+      for (const std::string& place : in) {
+        const auto [at, is_new] =
+            places.emplace(text_of_name(place), Json{{"State", state_of(place)}, {"Inside", false}});
+        if (inside_files) (*at)["Inside"] = true;
+      }
     };
     request.takes_summary = [&](const std::string& program, const std::string& dialect, const Summary& totals) {
       summary = Json::parse(summary_json(program, dialect, totals, session.diagnostics()), nullptr, false);
@@ -98,24 +120,25 @@ int do_work(const BatchArguments& arguments) {
     Runs runs(request, session, *options, nowhere.get());
     status = runs.run(arguments.work);
   }
-  std::sort(called.begin(), called.end());
-  called.erase(std::unique(called.begin(), called.end()), called.end());
   const Json all{{"Summary", std::move(summary)},
                  {"First", first.said()},
-                 {"Called", called},
-                 {"Places", places},
-                 {"LooksInside", looks_inside}};
+                 {"Called", std::move(called)},
+                 {"Places", std::move(places)}};
   std::fflush(nullptr);
   if (::dup2(out, STDOUT_FILENO) < 0) return cannot_start;
   return print(all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n", status);
 }
 
 std::optional<Work> read_work(const std::string& written) {
+  const std::string_view line = std::string_view(written).substr(0, written.find('\n'));
+  if (is_too_deep(line)) return std::nullopt;
   try {
-    const Json all = Json::parse(written.substr(0, written.find('\n')));
-    Work out{all.at("Summary"), all.at("First"), {}, {}, all.at("LooksInside").get<bool>()};
-    for (const Json& file : all.at("Called")) out.called.push_back(name_of_text(file.get<std::string>()));
-    for (const Json& place : all.at("Places")) out.places.push_back(name_of_text(place.get<std::string>()));
+    const Json all = Json::parse(line);
+    Work out{all.at("Summary"), all.at("First"), {}, {}};
+    for (const auto& [file, state] : all.at("Called").items())
+      out.called[name_of_text(file)] = state.get<std::string>();
+    for (const auto& [place, how] : all.at("Places").items())
+      out.places[name_of_text(place)] = {how.at("State").get<std::string>(), how.at("Inside").get<bool>()};
     return out;
   } catch (const Json::exception&) {
     return std::nullopt;

@@ -41,8 +41,22 @@ std::string status_name(const ChildEnd& end, bool has_result) {
     case ChildEnd::How::exited: break;
   }
   for (const auto& one : statuses)
-    if (one.exit == end.number && has_result) return one.status;
+    if (one.exit == end.number && (has_result || end.number == cannot_start)) return one.status;
   return "fault";
+}
+
+/// Of what a plugin may have made up, nothing but what has the expected kind.
+std::string text_in(const Json& object, const char* name) {
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+std::uint64_t count_in(const Json& object, const char* name) {
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return found != object.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : 0;
+}
+Json number_in(const Json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_number() ? *found : Json();
 }
 
 /// Why a process has written no result.
@@ -60,30 +74,34 @@ std::string reason(const ChildEnd& end, const ChildLimits& limits) {
 
 std::uint64_t count_of(const Json& result, const char* severity) {
   std::uint64_t out = 0;
-  for (const Json& one : result.value("Diagnostics", Json::array()))
-    if (one.value("Severity", "") == severity) out += one.value("Count", std::uint64_t{0});
+  const auto all = result.find("Diagnostics");
+  if (all == result.end() || !all->is_array()) return out;
+  for (const Json& one : *all)
+    if (text_in(one, "Severity") == severity) out += count_in(one, "Count");
   return out;
 }
 
 /// "line 3", or with the file where it is another one than the program.
 std::string place_of(const Json& first, const std::string& program) {
-  const std::string file = first.value("File", "");
-  const auto line = first.value("Line", std::uint64_t{0});
+  const std::string file = text_in(first, "File");
+  const std::uint64_t line = count_in(first, "Line");
   if (file.empty() || (file == program && line == 0)) return {};
   return file == program ? fmt::format("line {}", line) : line == 0 ? file : fmt::format("{}:{}", file, line);
 }
 
 /// The first error or warning as one line.
 std::string first_said(const Json& result) {
-  const Json first = result.value("First", Json());
-  if (!first.is_object()) return {};
-  const std::string place = place_of(first, result["Program"].get<std::string>()), code = first.value("Code", "");
-  return (place.empty() ? "" : place + ": ") + first.value("Message", "") + (code.empty() ? "" : " [" + code + "]");
+  const auto found = result.find("First");
+  if (found == result.end() || !found->is_object()) return {};
+  const std::string place = place_of(*found, text_in(result, "Program")), code = text_in(*found, "Code");
+  return (place.empty() ? "" : place + ": ") + text_in(*found, "Message") + (code.empty() ? "" : " [" + code + "]");
 }
 
+/// A sheet would calculate a text that begins as a formula does.
 std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
+  const bool is_formula = !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+  if (!is_formula && text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = is_formula ? "\"'" : "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + "\"";
 }
@@ -104,7 +122,7 @@ Json result_of(const std::string& program, const ChildEnd& end, const std::optio
   Json out{{"Isogloss", 1}, {"Program", program}, {"Status", status_name(end, work.has_value())}};
   if (is_whole && work->summary.is_object())
     for (const auto& [name, value] : work->summary.items())
-      if (name != "Isogloss" && name != "Program") out[name] = value;
+      if (!out.contains(name) && name != "First") out[name] = value;
   if (is_whole && work->first.is_object())
     out["First"] = work->first;
   else if (!is_whole)
@@ -113,22 +131,22 @@ Json result_of(const std::string& program, const ChildEnd& end, const std::optio
 }
 
 int status_of(const Json& result) {
-  const std::string status = result.value("Status", "");
+  const std::string status = text_in(result, "Status");
   for (const auto& one : statuses)
     if (status == one.status) return one.exit;
   return internal_fault;
 }
 
 void ResultFiles::add(const Json& result) {
-  const std::string program = result["Program"].get<std::string>(), status = result["Status"].get<std::string>(),
-                    dialect = result.value("Dialect", ""), said = first_said(result);
+  const std::string program = text_in(result, "Program"), status = text_in(result, "Status"),
+                    dialect = text_in(result, "Dialect"), said = first_said(result);
   ++by_status_[status];
   lines_ += result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 
   csv_ += csv_text(program) + "," + status + "," + csv_text(dialect);
   for (const char* const name : numbers) {
-    const Json value = result.value(name, Json());
-    csv_ += "," + (value.is_number() ? value.dump() : std::string());
+    const Json value = number_in(result, name);
+    csv_ += "," + (value.is_null() ? std::string() : value.dump());
   }
   for (const char* const severity : {"error", "warning", "note"})
     csv_ += fmt::format(",{}", count_of(result, severity));
@@ -142,7 +160,7 @@ void ResultFiles::add(const Json& result) {
 
   Json row = Json::array({program, status, dialect});
   for (const char* const name : {"Blocks", "ToolChanges", "FeedLength_mm", "Time_s"})
-    row.push_back(result.value(name, Json()));
+    row.push_back(number_in(result, name));
   for (const char* const severity : {"error", "warning"}) row.push_back(count_of(result, severity));
   row.push_back(said);
   rows_ += (count_ == 0 ? "" : ",\n") + for_script(row);

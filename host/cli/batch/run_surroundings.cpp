@@ -37,6 +37,15 @@ void add_files_of(const std::vector<Place>& places, const char* extension, std::
   }
 }
 
+/// The results may lie in the folder of the machine.
+bool lies_in(const fs::path& file, const fs::path& folder) {
+  std::error_code code;
+  const fs::path whole = fs::weakly_canonical(file, code);
+  fs::path place = fs::weakly_canonical(fs::absolute(folder, code), code);
+  if (!place.has_filename()) place = place.parent_path();
+  return !place.empty() && std::mismatch(place.begin(), place.end(), whole.begin(), whole.end()).first == place.end();
+}
+
 /// The file that -m names, and those that hold the tables of -m, --tools and the like, included ones, too.
 void add_files_of_tables(const ProgramOptions& program, const RunOptions& options, Session& session,
                          std::set<std::string>& files) {
@@ -51,7 +60,7 @@ void add_files_of_tables(const ProgramOptions& program, const RunOptions& option
 
 }  // namespace
 
-std::optional<std::string> hash_of_surroundings(const BatchArguments& arguments, FileHashes& hashes, Session& session) {
+std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, FileHashes& hashes, Session& session) {
   ProgramOptions program = arguments.program;
   const std::optional<RunOptions> options = program.make(session);
   if (!options) return std::nullopt;
@@ -73,10 +82,15 @@ std::optional<std::string> hash_of_surroundings(const BatchArguments& arguments,
     for (const LoadedPlugin& plugin : session.library().plugins()) files.insert(plugin.file.string());
     keep_to_the_end(std::move(linked));
   }
+  Surroundings out;
   std::string all = text_of(arguments, hashes);
-  for (const std::string& file : files)
-    if (!file.empty()) all += fs::path(file).filename().string() + "=" + hashes.of(file) + "\n";
-  return hash_of(all).text();
+  for (const std::string& file : files) {
+    if (file.empty() || lies_in(file, arguments.output)) continue;
+    const std::string& hash = out.files[file] = hashes.of(file);
+    all += fs::path(file).filename().string() + "=" + hash + "\n";
+  }
+  out.hash = hash_of(all).text();
+  return out;
 }
 
 }  // namespace isogloss::cli::batch

@@ -6,9 +6,14 @@
 
 namespace isogloss::cli::batch {
 
+struct Surroundings {
+  std::string hash;
+  std::map<std::string, std::string> files;  ///< and the hash of each
+};
+
 /// One hash of the command, the options that change a result, the tables, and the dialect with its plugins; of all
 /// dialects and plugins that are found where each program's dialect is guessed. Empty, and reported, when the dialect
 /// or a table cannot be read: no program could run.
-std::optional<std::string> hash_of_surroundings(const BatchArguments& arguments, FileHashes& hashes, Session& session);
+std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, FileHashes& hashes, Session& session);
 
 }  // namespace isogloss::cli::batch
