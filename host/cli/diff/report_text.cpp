@@ -31,11 +31,18 @@ std::string values_text(const std::vector<Parting>& values, std::string_view ind
   return out;
 }
 
+/// A line of a program may be a mebibyte.
+std::string line_of_program(std::string_view text) {
+  constexpr std::size_t most = 500;
+  return printable(text.substr(0, most), "\t") + (text.size() > most ? " …" : "");
+}
+
 std::string block_text(const PartedBlock& block, std::string_view indent) {
   const std::string place = place_text(block.file_a, block.line_a, block.file_b, block.line_b);
-  const std::string a = printable(block.text_a, "\t"), b = printable(block.text_b, "\t");
-  std::string out = fmt::format("{}{}{}{}\n", indent, place, place.empty() ? "" : "  ", block.line_a != 0 ? a : b);
-  if (block.line_a != 0 && block.line_b != 0 && a != b) out += fmt::format("{}  against  {}\n", indent, b);
+  std::string out = fmt::format("{}{}{}{}\n", indent, place, place.empty() ? "" : "  ",
+                                line_of_program(block.line_a != 0 ? block.text_a : block.text_b));
+  if (block.line_a != 0 && block.line_b != 0 && block.text_a != block.text_b)
+    out += fmt::format("{}  against  {}\n", indent, line_of_program(block.text_b));
   return out;
 }
 
