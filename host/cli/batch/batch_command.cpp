@@ -70,7 +70,10 @@ class Batch {
   FileHashes hashes_;
   std::map<std::string, const Finished*> done_;
   std::vector<std::string> rest_;
-  std::map<std::size_t, std::string> begun_;     // the state of a program of rest_ when it began
+  struct Begun {
+    std::string state, content;
+  };
+  std::map<std::size_t, Begun> begun_;           // programs of rest_ as they were when they began
   std::map<std::string, unsigned> begun_again_;  // how often, because of what has changed meanwhile
   std::set<std::string> killed_;                 // once, by others
   std::string changed_;                          // file of the surroundings: all has to begin anew
@@ -155,8 +158,8 @@ bool Batch::do_rest() {
   const auto next = [&](std::size_t& work) {
     if (begun == rest_.size() || !fault_.empty() || !changed_.empty()) return std::vector<std::string>();
     work = begun++;
-    begun_[work] = state_of(rest_[work]);
-    hashes_.of_now(rest_[work]);  // as it is before it is run
+    std::string state = state_of(rest_[work]);
+    begun_[work] = {std::move(state), hashes_.of_now(rest_[work])};
     return arguments_for(rest_[work]);
   };
   const auto ended = [&](std::size_t work, const ChildEnd& end) {
@@ -192,7 +195,8 @@ std::vector<std::string> Batch::arguments_for(const std::string& program) const 
 
 /// The program or one that it calls is not what it was when it was read.
 bool Batch::has_changed(std::size_t number, const std::optional<Work>& work) {
-  if (state_of(rest_[number]) != begun_[number]) return true;
+  const Begun& begun = begun_[number];
+  if (state_of(rest_[number]) != begun.state && hashes_.of_now(rest_[number]) != begun.content) return true;
   if (!work) return false;
   const auto is_other = [](const auto& file) { return state_of(file.first) != file.second; };
   const auto is_other_place = [](const auto& place) { return state_of(place.first) != place.second.state; };
@@ -209,7 +213,7 @@ bool Batch::finish(std::size_t number, const ChildEnd& end) {
     std::erase_if(work->places, [&](const auto& place) { return !is_own(program, place.first); });
   }
   const Json result = result_of(program, end, work, limits_);
-  Finished finished{program, surroundings_.hash, hashes_.of(program), {}, {}, {}};
+  Finished finished{program, surroundings_.hash, begun_[number].content, {}, {}, {}};
   if (work)
     for (const auto& [file, state] : work->called) finished.called[file] = hashes_.of_now(file);
   if (work)
