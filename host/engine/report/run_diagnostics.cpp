@@ -254,8 +254,7 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "isogloss batch archive --exclude '*.txt' -o results"},
       {note, "IG-0672", "{0} lines of the journal cannot be read: what they were for runs again",
        "A line is cut off where a batch was killed while it wrote. All others count. A file of the journal that cannot "
-       "be "
-       "read counts as one line.",
+       "be read counts as one line.",
        "isogloss batch archive -o results"},
       {error, "IG-0673", "{0} of {1} programs have no result yet: no results are written",
        "Some parts of the batch have not run, or not to their end, or what they depend on has changed since then. Run "
@@ -267,8 +266,7 @@ std::vector<DiagnosticInfo> run_diagnostics() {
       {error, "IG-0675", "the batch cannot go on: {0}",
        "What is finished is kept in the folder of the results: when the cause is gone, the same command goes on from "
        "there. A table, machine, dialect or plugin that has changed lets the batch begin anew, but not again and "
-       "again: "
-       "give it a copy.",
+       "again: give it a copy.",
        "isogloss batch archive -o results, with no file descriptor left"},
       {note, "IG-0676", "the first line is the path of a file or folder, so this is read as a list of programs",
        "A list has a path in each line, as seen from the folder where the command runs. A file whose first line is a "
