@@ -1,7 +1,7 @@
 // Macro calls: G65 once, G66 after each block that moves, G66.1 for each block, and the codes that parameters assign to
 // macros. The scanner reads the arguments itself, because words have another meaning in a call: I J K may be there ten
 // times.
-#include "macro/code_fields.hpp"
+#include <isogloss/cnc/code_fields.hpp>
 #include "macro/macro_call_words.hpp"
 #include "macro/macro_environment.hpp"
 #include "macro/macro_program_call.hpp"

@@ -7,7 +7,7 @@
 #include <isogloss/cnc/further_axes.hpp>
 #include <isogloss/cnc/scan.hpp>
 
-#include "macro/code_fields.hpp"
+#include <isogloss/cnc/code_fields.hpp>
 #include "macro/macro_environment.hpp"
 
 namespace fanuc {

@@ -4,14 +4,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <vector>
 
-#include <isogloss/cnc/scan.hpp>
-#include <isogloss/sdk.hpp>
+#include "isogloss/cnc/scan.hpp"
+#include "isogloss/sdk.hpp"
 
-namespace fanuc {
-
-using namespace ig::cnc;
+namespace ig::cnc {
 
 /// The name of a code, such as G04 and G54.1, from ten times its number.
 class CodeName {
@@ -82,4 +81,4 @@ class CodeFields {
   std::array<std::vector<ig_field>, 2> table_;  // of G and M
 };
 
-}  // namespace fanuc
+}  // namespace ig::cnc
