@@ -1,6 +1,5 @@
-/// `%@MACRO` makes a file one of the macro language, and `$2` begins the program of the second axis group: neither is
-/// executed, and one diagnostic reports it where it begins, however often the file is called. `$1` begins the program
-/// of the first group, which is executed.
+/// `$2` begins the program of the second axis group: it is not executed, and one diagnostic reports it where it begins,
+/// however often the file is called. `$1` begins the program of the first group, which is executed.
 #include <isogloss/flow.hpp>
 #include <set>
 
@@ -14,13 +13,10 @@ using namespace ig::cnc;
 namespace {
 
 struct SyntecFileHead {
-  static constexpr auto spec =
-      ig::syntax("SyntecFileHeadSyntax", "Rejects files in MACRO format and the programs of further axis groups.")
-          .before("TapeBoundarySyntax", "IsoCommentSyntax", "WordSyntax", "FlagSyntax")
-          .scans("%$");
+  static constexpr auto spec = ig::syntax("SyntecFileHeadSyntax", "Rejects the programs of further axis groups.")
+                                   .before("TapeBoundarySyntax", "IsoCommentSyntax", "WordSyntax", "FlagSyntax")
+                                   .scans("$");
   static constexpr std::array diagnostics{
-      ig::diagnostic(IG_ERROR, "SYN-0001",
-                     "the file is in MACRO format, which is not supported: nothing is executed from here to its end"),
       ig::diagnostic(IG_ERROR, "SYN-0004",
                      "${0} begins the program of another axis group: nothing is executed from here to the end of the "
                      "file"),
@@ -34,7 +30,7 @@ struct SyntecFileHead {
     std::size_t before = position;  // backwards, because a long line may hold many marks
     while (before > 0 && is_blank(text[before - 1])) --before;
     if (before > 0) return position;
-    return text[position] == '%' ? macro_mark(b, text, position) : axis_group(b, text, position);
+    return axis_group(b, text, position);
   }
 
   ig::Status restart(ig::Block&) {
@@ -59,15 +55,6 @@ struct SyntecFileHead {
   }
 
  private:
-  static constexpr std::string_view mark = "@MACRO";
-
-  std::size_t macro_mark(ig::Block& b, std::string_view text, std::size_t position) const {
-    const std::size_t name = skip_blanks(text, position + 1);
-    const std::size_t end = std::min(name + mark.size(), text.size());
-    if (!equals_ignoring_case(piece(text, name, end), mark) || is_letter(at(text, end))) return position;
-    return decline(b, text, position, end);
-  }
-
   std::size_t axis_group(ig::Block& b, std::string_view text, std::size_t position) const {
     const std::size_t end = skip_digits(text, position + 1);
     const std::string_view group = piece(text, position + 1, end);
@@ -84,11 +71,7 @@ struct SyntecFileHead {
   }
 
   void report(ig::Block& b, std::string_view head) const {
-    const auto where = ig::Where::word(text_.id());
-    if (head.starts_with('$'))
-      b.report(ig::diag("SYN-0004"), where, head.substr(1));
-    else
-      b.report(ig::diag("SYN-0001"), where);
+    b.report(ig::diag("SYN-0004"), ig::Where::word(text_.id()), head.substr(1));
   }
 
   using FileAndHead = std::pair<std::string_view, std::string_view>;

@@ -7,6 +7,8 @@
 #include <isogloss/cnc/parameter_services.hpp>
 #include <isogloss/rows.hpp>
 
+#include "macro/macro_environment.hpp"
+
 namespace syntec {
 
 using namespace ig::cnc;
@@ -34,11 +36,12 @@ constexpr auto named_parameters = with_axis_parameters({{control_precision, "inc
                                                         {compensation_type, "start-up of radius compensation"}});
 
 struct SyntecParameterTable {
-  static constexpr auto spec = ig::dependency("SyntecParameterTable", "Parameters of a Syntec control, by number.")
-                                   .rows("Parameter", "number")
-                                   .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
-                                             "isogloss.machine-axis/1", "isogloss.code-call/1", IG_ROW_MEANING_SERVICE)
-                                   .ships(shipped);
+  static constexpr auto spec =
+      ig::dependency("SyntecParameterTable", "Parameters of a Syntec control, by number.")
+          .rows("Parameter", "number")
+          .provides("isogloss.number-format/1", "isogloss.canned-cycle/1", "isogloss.motion/1",
+                    "isogloss.machine-axis/1", "isogloss.code-call/1", parameter_service, IG_ROW_MEANING_SERVICE)
+          .ships(shipped);
 
   enum class PeckUnit { blu, micron };
   ig::Choice<PeckUnit> peck_unit{
@@ -54,6 +57,7 @@ struct SyntecParameterTable {
   }
 
   const void* service(std::string_view id) const {
+    if (id == parameter_service) return &parameters_;
     const void* const meanings = meanings_.find(id);
     return meanings != nullptr ? meanings : services.find(id);
   }
@@ -183,6 +187,15 @@ struct SyntecParameterTable {
     if (!type) return std::nullopt;
     return *type == 1 ? 1 : *type == 2 ? 2 : 0;
   }
+
+  /// For macros: any parameter by its number.
+  static std::int32_t parameter_of(void* self, ig_text name, double* out) {
+    const Answer answer = static_cast<const SyntecParameterTable*>(self)->number(ig::to_view(name));
+    if (!answer) return 0;
+    *out = *answer;
+    return 1;
+  }
+  ig_config_1 parameters_{sizeof(ig_config_1), 0, this, &parameter_of};
 
   friend class ig::RowMeanings<SyntecParameterTable>;
   ig::RowMeanings<SyntecParameterTable> meanings_{this};

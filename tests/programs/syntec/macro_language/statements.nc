@@ -1,0 +1,64 @@
+%@MACRO
+// STATEMENTS OF THE MACRO LANGUAGE: EVERY MOVE SHOWS WHAT WAS CALCULATED
+(* A COMMENT
+   OVER LINES; G00 X999.; *)
+G71 G90 G54 G00 X0. Y0. Z50.;
+#1 := 1 / 2; #2 := 1. / 2; #3 := 7 MOD 4;
+G00 X(#1 * 1.) Y#2 Z(#3 * 1.);                  // 0, 0.5, 3
+G00 X(1 + 2 * 3 - 4. / 2) Y-#2 Z(NOT 5 + 7.);   // 5, -0.5, 1
+G00 X(10. * (1 < 2 & 2 < 3)) Y(10. * (1 > 2 OR 3 = 3));
+G00 X30. / 2 Y#0 Z(SQRT(16) + 1);               // 15, UNCHANGED, 5
+// BRANCHES
+FOR #10 := 1 TO 5 DO
+  IF #10 = 1 THEN G01 X1. F100.;
+  ELSEIF #10 = 2 OR #10 = 3 THEN
+    CASE #10 OF
+      2: G01 X2.;
+      3, 4: G01 X3.;
+    ELSE
+      G01 X99.;
+    END_CASE;
+  ELSEIF #10 = 4 THEN
+  ELSE G01 X5.; END_IF;
+END_FOR;
+// LOOPS
+#11 := 3;
+WHILE #11 > 0 DO
+  #12 := 0;
+  REPEAT
+    #12 := #12 + 1;
+    IF #12 = 2 THEN EXIT; END_IF;
+    G01 Y(#11 + #12 / 10.);
+  UNTIL #12 >= 5 END_REPEAT;
+  #11 := #11 - 1;
+END_WHILE;
+FOR #13 := 1. TO 0. BY -0.5 DO G01 Z#13; END_FOR;
+FOR #14 := 1 TO 0 DO G01 Z99.; END_FOR;
+// JUMPS: INTO A LOOP, AND OUT OF ONE
+#20 := 5;
+GOTO 100;
+WHILE #20 < 8 DO
+  G01 X#20 * 10.;
+  N100;
+  #20 := #20 + 1;
+  IF #20 = 7 THEN GOTO 200; END_IF;
+END_WHILE;
+G01 X99.;
+N200; G00 Z50.;
+// A STATEMENT OVER LINES, VARIABLES BY EXPRESSIONS, TEXTS, A STACK
+@[10 + 5] := #20 +
+             1;
+IF (@15 = 8) AND
+   (@16 = @0) THEN
+  G00 X80.;
+END_IF;
+@1 := "TEXT OF 4"; #30 := SCANTEXT(1); #20 := 6;
+IF #30 = "TEXT OF 4" THEN G00 X(STR2INT("8#20") * 1.); END_IF;   // 86
+PUSH(1.); PUSH(2.); PUSH(3.);
+G00 X(STKTOP[2]) Y(POP() * 10. + POP());        // 1, 32
+// CODES BY NUMBERS, AND AN INTEGER IN A WORD: INPUT UNITS
+#40 := #1000; #41 := #1004;
+G91 G01 X(500 + 500) F100.; G#41 G#40;
+G00 X0. Y0.;
+MSG("DONE");
+M30;
