@@ -11,6 +11,9 @@
 
 namespace syntec {
 
+inline constexpr std::string_view axis_arguments = "XYZABCIJKUVW";
+inline constexpr std::string_view all_letters = "ABCDEFHIJKLPQRSTUVWXYZ";
+
 /// O9010 by its number, or a file by its name.
 inline ig::Flow::Answer request_call(ig::Block& b, const ig::Flow& flow, std::int64_t number, std::string_view name,
                                      std::uint32_t repeats, std::uint64_t tag) {
@@ -39,9 +42,10 @@ inline std::optional<std::uint32_t> repeats_of(ig::Block& b, const MacroValue& l
 class BlockArguments {
  public:
   BlockArguments() : format_(ig::read) {
-    for (std::size_t i = 0; i < fields_.size(); ++i)
-      if (const unsigned letter = ig::cnc::letter_index(fields_.path(i).back()); letter < 26)
-        by_letter_[letter] = fields_.id(i);
+    for (const char letter : all_letters) {
+      words_.emplace_back(std::string("Parsing.") + letter, ig::read);
+      by_letter_[ig::cnc::letter_index(letter)] = words_.back().id();
+    }
   }
 
   /// In a file in MACRO format the scanner has kept them with their types. In ISO format a number with a point is real.
@@ -68,7 +72,7 @@ class BlockArguments {
   }
 
  private:
-  ig::Fields fields_{"addresses", "Parsing.?", ig::read | ig::take, "The words that are arguments."};
+  std::vector<ig::Word> words_;
   FormatField format_;
   std::array<ig_field, 26> by_letter_ = [] {
     std::array<ig_field, 26> out;
@@ -76,8 +80,5 @@ class BlockArguments {
     return out;
   }();
 };
-
-inline constexpr std::string_view axis_arguments = "XYZABCIJKUVW";
-inline constexpr std::string_view all_letters = "ABCDEFHIJKLPQRSTUVWXYZ";
 
 }  // namespace syntec
