@@ -125,6 +125,19 @@ class ProgramTarget : public Target {
       return {"R1+R2*3",      "SIN(30)*10/(R1-1)", "R[R1+1]",   "TRUNC(-2.5) MOD 2", "(R1==1) AND (R2>2)",
               "ATAN2(1,2)",   "SQRT(-1)",          "EXP(1000)", "$P_UIFR[1,X,TR]",   "-(-(-R2))",
               "POT(R1) DIV 0"};
+    if (name_ == "syntec")
+      return {"#1 + #2 * 3",
+              "ROUND(SIN(30.) * 10) / (#1 - 1)",
+              "#[#1 + 1] XOR 0xFF",
+              "FLOOR(-2.5) MOD 2",
+              "(#1 = #0) AND (#2 > 2)",
+              "ATAN2(1, 2)",
+              "SQRT(-1)",
+              "EXP(1000)",
+              "@[#1] <> \"AB\"",
+              "NOT -(-(-#2))",
+              "POW(2, -3) & STD(100, #1600)",
+              "STR2INT(\"1#2\") OR GETARG(X1)"};
     return {"Q1 + Q2 * 3", "SIN 30 * 10 / (Q1 - 1)", "+Q1",   "INT -2.5 % 2",
             "SQRT -1",     "ATAN (1 / 2)",           "LN 0",  "Q2 ^ 1000",
             "PI",          "- ( - ( - Q2 ) )",       "SGN Q1"};

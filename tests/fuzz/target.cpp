@@ -25,6 +25,9 @@ const std::map<std::string, Make>& targets() {
     out["expression.siemens"] = [] {
       return make_program_target("siemens", "G71 G90\nR1=1 R2=2.5\nR3=", "\nG0 X=R3\nM30\n");
     };
+    out["expression.syntec"] = [] {
+      return make_program_target("syntec", "%@MACRO\nG71 G90;\n#1 := 1;\n#2 := 2.5;\n#3 := ", ";\nG00 X#3;\nM30;\n");
+    };
     out["expression.heidenhain"] = [] {
       return make_program_target("heidenhain",
                                  "BEGIN PGM A MM\nQ1 = 1\nQ2 = 2.5\nQ3 = ", "\nL X+Q3 R0 FMAX\nEND PGM A MM\n");

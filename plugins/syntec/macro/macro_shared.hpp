@@ -55,7 +55,7 @@ struct MacroScanState {
   StatementCollector statement{};
   std::uint32_t statement_line = 0;  ///< in which it began
   // Of a block of words:
-  std::string words{};  ///< its text with blanks for comments; empty: none, or not looked at yet
+  std::string words{};  ///< its text with blanks for comments
   Arguments arguments{};
   std::vector<WordCall> calls{};
   std::string program{};  ///< of P"NAME"
@@ -67,6 +67,12 @@ struct MacroScanState {
   std::uint32_t pass = 0;
 
   void restart() { *this = {}; }
+  void begin_words(std::string_view text) {
+    words.assign(text);
+    arguments = {};
+    calls.clear();
+    program.clear();
+  }
 
   /// The block is the first one of a file in MACRO format.
   void begin_macro(ig::Block& b, const ig::Flow& flow, const FormatField& format) {

@@ -41,6 +41,7 @@ struct SyntecMacroStatement {
   SharedScan scan_;
   MacroExecution execution_;
   ig::Signal statement_{"Parsing.~MacroText", ig::read | ig::write | ig::wake};
+  ig::Signal words_{"Parsing.~MacroWords", ig::write};
   ig::Signal text_ended_{"Source.~End", ig::read | ig::wake};
 
   ig::Status restart(ig::Block&) {
@@ -122,10 +123,8 @@ struct SyntecMacroStatement {
     StatementCollector block;
     MacroComment comment;
     block.add(text, position, Keyword::none, comment);
-    scan_->words.assign(block.text());
-    scan_->arguments = {};
-    scan_->calls.clear();
-    scan_->program.clear();
+    scan_->begin_words(block.text());
+    b.raise(words_);
     if (!block.is_complete() && !comment.is_open) {
       const ig_place here = execution_.environment.flow.here(b);
       open_line_ = here.line;

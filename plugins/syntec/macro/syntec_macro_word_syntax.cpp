@@ -38,7 +38,7 @@ struct SyntecMacroWord {
   ig::Field<double> rounding_{"Parsing.CornerBreak.R", ig::write, {ig::Life::standard, "mm", ""}};
   ig::Signal without_point_{"Parsing.~WithoutPoint", ig::write};
   ig::Signal feed_without_point_{"Parsing.~FeedWithoutPoint", ig::write};
-  ig::Signal words_{"Parsing.~MacroWords", ig::write};
+  ig::Signal words_{"Parsing.~MacroWords", ig::read | ig::write};
   ig::Signal named_{"Parsing.~MacroNamedWord", ig::read | ig::write | ig::wake};
   ig::Signal call_{"Parsing.~SyntecMacroCall", ig::read | ig::write};
   ig::Signal code_call_{"Parsing.~BuilderMacro", ig::read | ig::write};
@@ -67,10 +67,13 @@ struct SyntecMacroWord {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (!format_.is_macro(b) || !b.is_in_turn()) return position;
     if (environment_.flow.is_indexing()) return std::min(text.find(';', position), block_end(text, position));
-    std::string_view words = scan_->words;
-    if (words.size() <= position) words = text.substr(0, std::min(text.find(';', position), block_end(text, position)));
+    // Behind a byte that begins no block, such as NUL, nobody has looked at the words.
+    if (!b.is_raised(words_) || scan_->words.size() <= position) {
+      scan_->begin_words(text.substr(0, std::min(text.find(';', position), block_end(text, position))));
+      b.raise(words_);
+    }
+    const std::string_view words = scan_->words;
     environment_.enter(b);
-    b.raise(words_);
     if (text[position] == ',') return corner(b, words, position);
     const std::size_t name = skip_name_of(words, position, is_name_part);
     const std::size_t letters = skip_name_of(words, position, is_letter);
