@@ -71,7 +71,7 @@ struct SyntecFileHead {
   }
 
   void report(ig::Block& b, std::string_view head) const {
-    b.report(ig::diag("SYN-0004"), ig::Where::word(text_.id()), head.substr(1));
+    b.report(ig::diag("SYN-0004"), ig::Where::word(text_.id()), head.substr(std::min<std::size_t>(head.size(), 1)));
   }
 
   using FileAndHead = std::pair<std::string_view, std::string_view>;

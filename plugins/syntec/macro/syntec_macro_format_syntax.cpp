@@ -46,8 +46,6 @@ struct SyntecMacroFormat {
     return comment(b, brackets_, text, position, close + 2, 2);
   }
 
-  ig::Status build(ig::Block&) const { return ig::Status::unchanged; }
-
  private:
   static std::size_t mark_end(std::string_view text, std::size_t position) {
     constexpr std::string_view mark = "@MACRO";
