@@ -60,7 +60,7 @@ Verdict judge_bytes(const Case& program) {
   const std::vector<bool> reported = reported_bytes(text, outcome.diagnostics);
   Verdict out;
   for (const Block& block : blocks_of(program, text)) {
-    if (!outcome.lines.contains(block.line)) continue;
+    if (!outcome.executed.contains({block.line, block.column})) continue;
     std::vector<bool> owned(block.end - block.begin);
     const auto own = [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) owned[i - block.begin] = true;
@@ -85,9 +85,11 @@ Verdict judge_foreign_words(const Case& program) {
   const std::string text = program.text();
   const Outcome before = run_text(program, text);
   Verdict out;
+  // Statements of Syntec's MACRO format are reported where they end, which may be lines later.
+  const bool is_macro = text.find("%@MACRO") != std::string::npos;
   bool is_curve = false;  // blocks that are points of a curve table
   for (const Block& block : blocks_of(program, text)) {
-    if (!before.lines.contains(block.line) || block.pieces.empty()) continue;
+    if (!before.executed.contains({block.line, block.column}) || block.pieces.empty()) continue;
     const std::string_view line = std::string_view(text).substr(block.begin, block.end - block.begin);
     is_curve =
         (is_curve || line.find("CTABDEF") != std::string_view::npos) && line.find("CTABEND") == std::string_view::npos;
@@ -97,12 +99,12 @@ Verdict judge_foreign_words(const Case& program) {
     const Block::Piece& piece = block.pieces[(choice >> 8) % block.pieces.size()];
     // A scanner may read a statement together with the comment behind it.
     const bool has_comment = text.substr(piece.begin, piece.end - piece.begin).find(';') != std::string::npos;
-    if (piece.is_comment || piece.is_label || has_comment) continue;
+    if (piece.is_comment || piece.is_label || has_comment || (is_macro && !piece.is_word)) continue;
     const std::string word = words[(choice >> 16) % std::size(words)];
     if (takes_any_text(line)) continue;
     const std::string changed = text.substr(0, piece.end) + " " + word + " " + text.substr(piece.end);
     const Outcome after = run_text(program, changed);
-    if (!after.lines.contains(block.line)) continue;  // a jump leaves it out now
+    if (!after.executed.contains({block.line, block.column})) continue;  // a jump leaves it out now
     out.was_tried = true;
     const auto last = block.line + static_cast<std::uint32_t>(std::count(line.begin(), line.end(), '\n'));
     const bool is_reported = std::any_of(after.diagnostics.begin(), after.diagnostics.end(), [&](const Diagnostic& d) {

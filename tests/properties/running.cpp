@@ -10,21 +10,21 @@ namespace isogloss::properties {
 
 namespace {
 
-class LinesOfBlocks : public Exporter {
+class PlacesOfBlocks : public Exporter {
  public:
-  explicit LinesOfBlocks(std::set<std::uint32_t>& lines) : lines_(lines) {}
+  explicit PlacesOfBlocks(std::set<Place>& places) : places_(places) {}
   void begin(Document&, const SymbolTable&) override {}
   bool block(Document& document, const SymbolTable&) override {
     const std::string_view text = document.source.text;
     const auto ends = document.source.is_joined ? std::count(text.begin(), text.end(), '\n') : 0;
     for (std::uint32_t line = 0; line <= static_cast<std::uint32_t>(ends); ++line)
-      lines_.insert(document.source.line + line);
+      places_.insert({document.source.line + line, line == 0 ? document.source.column : 0});
     return true;
   }
   bool end() override { return true; }
 
  private:
-  std::set<std::uint32_t>& lines_;
+  std::set<Place>& places_;
 };
 
 std::vector<std::size_t> beginnings_of_lines(std::string_view text) {
@@ -69,7 +69,7 @@ Outcome run_text(const Case& program, const std::string& text) {
   options.moved = [&](const FlowStep&) { out.has_jumps = true; };
   product::TextOutput lines;
   const auto motions = make_motion_exporter(lines, {Format::csv, false, true, true, {}});
-  LinesOfBlocks blocks(out.lines);
+  PlacesOfBlocks blocks(out.executed);
   DiagnosticList said;
   const std::unique_ptr<Source> source = memory_source(text);
   run(product::dialect(program.dialect), *source, "program", options, {motions.get(), &blocks}, said);
@@ -83,7 +83,7 @@ std::vector<Block> blocks_of(const Case& program, const std::string& text) {
   std::vector<Block> out;
   const auto visit = [&](const ScannedBlock& scanned) {
     const std::size_t at = lines[std::min<std::size_t>(scanned.line, lines.size() - 1)] + scanned.column;
-    Block block{scanned.line, at, at + scanned.text.size(), {}, {}};
+    Block block{scanned.line, scanned.column, at, at + scanned.text.size(), {}, {}};
     for (const ScannedWord& word : scanned.words) block.words.emplace_back(at + word.begin, at + word.end);
     std::sort(block.words.begin(), block.words.end());
     for (const ScannedPiece& piece : scanned.pieces) {

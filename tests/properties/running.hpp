@@ -12,10 +12,13 @@
 
 namespace isogloss::properties {
 
+/// Line and column of a block: a line may hold several, of which some are executed.
+using Place = std::pair<std::uint32_t, std::uint32_t>;
+
 struct Outcome {
   std::string motions;  ///< CSV
   std::vector<Diagnostic> diagnostics;
-  std::set<std::uint32_t> lines;  ///< that hold a block that was executed
+  std::set<Place> executed;
   bool has_jumps = false;
 };
 
@@ -29,7 +32,7 @@ struct Block {
     bool is_word = false;            ///< one word or one code alone
     bool is_comment = false, is_number = false, is_label = false;
   };
-  std::uint32_t line = 0;
+  std::uint32_t line = 0, column = 0;
   std::size_t begin = 0, end = 0;  ///< bytes of the text
   std::vector<Piece> pieces;
   std::vector<std::pair<std::size_t, std::size_t>> words;  ///< bytes of the text

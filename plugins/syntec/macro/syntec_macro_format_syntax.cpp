@@ -19,6 +19,7 @@ struct SyntecMacroFormat {
           .scans("%(/;")
           .scans_ahead();
   static constexpr std::array diagnostics{
+      ig::diagnostic(IG_NOTE, "SYN-0065", "'{0}' is the title of the program and is not executed"),
       ig::diagnostic(IG_ERROR, "SYN-0054",
                      "'{0}' is not executed: in MACRO format ( ) groups a calculation, and comments are // or (* *)"),
   };
@@ -60,7 +61,10 @@ struct SyntecMacroFormat {
     if (!b.is_in_turn()) return position;
     scan_->begin_macro(b, flow_, format_);
     b.set_text(mark_, piece(text, position, end));
-    return block_end(text, end);
+    const std::size_t title = skip_blanks(text, end), line_end = block_end(text, title);
+    if (title >= line_end || (text[title] == '/' && at(text, title + 1) == '/')) return end;
+    b.report(ig::diag("SYN-0065"), ig::Where::columns(title, line_end), trim(piece(text, title, line_end)));
+    return line_end;
   }
 
   std::size_t comment(ig::Block& b, const ig::Name& opened_by, std::string_view text, std::size_t begin,

@@ -42,6 +42,9 @@ struct SyntecMacroStatement {
   MacroExecution execution_;
   ig::Signal statement_{"Parsing.~MacroText", ig::read | ig::write | ig::wake};
   ig::Signal words_{"Parsing.~MacroWords", ig::write};
+  ig::Out<ig::Symbol> comment_symbol_{"Comment.Symbol"};
+  ig::TextField comment_{"Comment.Text", ig::write};
+  ig::Name brackets_{"(*"};
   ig::Signal text_ended_{"Source.~End", ig::read | ig::wake};
 
   ig::Status restart(ig::Block&) {
@@ -63,7 +66,7 @@ struct SyntecMacroStatement {
       is_done_ = false;
     }
     const bool goes_on = statement.is_begun();
-    if (!goes_on && scan_->comment.is_open) return go_on_with_comment(text, position);
+    if (!goes_on && scan_->comment.is_open) return go_on_with_comment(b, text, position);
     if (!goes_on && !begins_block(text, position)) return later(b, text, position);
     if (!goes_on) {
       statement.clear();
@@ -103,11 +106,14 @@ struct SyntecMacroStatement {
  private:
   static constexpr std::size_t longest = 65'535;
 
-  std::size_t go_on_with_comment(std::string_view text, std::size_t position) const {
+  /// A comment over several lines is one of each of them.
+  std::size_t go_on_with_comment(ig::Block& b, std::string_view text, std::size_t position) {
     const std::size_t close = text.find("*)", position);
-    if (close == std::string_view::npos) return block_end(text, position);
-    scan_->comment.is_open = false;
-    return close + 2;
+    scan_->comment.is_open = close == std::string_view::npos;
+    const std::size_t end = scan_->comment.is_open ? block_end(text, position) : close;
+    b.set(comment_symbol_, brackets_);
+    b.set_text(comment_, trim(piece(text, position, end)));
+    return scan_->comment.is_open ? end : close + 2;
   }
 
   /// The block of words of the line before has no ; , and this line goes on.
