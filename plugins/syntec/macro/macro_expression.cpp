@@ -162,6 +162,7 @@ std::optional<MacroValue> MacroExpression::primary() {
     const std::size_t close = text_.text.find('"', position_ + 1);
     if (close == std::string_view::npos) return fail(ig::diag("SYN-0022"), begin, text_.text.size());
     position_ = close + 1;
+    if (close - begin > longest_text) return fail(ig::diag("SYN-0033"), begin, position_);
     return MacroValue::of_text(std::string(text_.text.substr(begin + 1, close - begin - 1)));
   }
   if (is_digit(c) || c == '.') return literal();

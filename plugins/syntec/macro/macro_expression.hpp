@@ -92,6 +92,9 @@ class MacroExpression {
   std::string_view vacant_{};  ///< the variable or function that gave no value last
 };
 
+/// More than any program has; a run of a faulty one must not fill the memory.
+inline constexpr std::size_t longest_text = 4096;
+
 /// "#1" inside a text stands for the variable's value (STR2INT, file names). Nothing, and said, where it has none.
 std::optional<std::string> with_variables(ig::Block& b, const MacroEnvironment& environment, std::string_view text,
                                           ig::Where where);

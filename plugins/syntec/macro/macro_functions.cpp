@@ -13,8 +13,6 @@ using ig::cnc::to_upper;
 
 namespace {
 
-constexpr std::size_t longest_text = 4096;
-
 /// Exact at multiples of 90 degrees.
 double sine(double degrees) {
   const double turn = std::fmod(degrees, 360);

@@ -16,6 +16,7 @@ struct SyntecMacroCall {
           .before("FanucMacroCallSyntax", "ParameterizedFlagSyntax", "DecimalPointSyntax", "SubprogramCallSyntax")
           .scans("Gg");
   static constexpr std::array diagnostics{
+      ig::diagnostic(IG_ERROR, "SYN-0080", "{0} is not executed: {1} modal macros are in force, end one with G67"),
       ig::diagnostic(IG_ERROR, "SYN-0070", "{0} has no P with the number or the name of a program: no macro is called"),
       ig::diagnostic(IG_ERROR, "SYN-0071",
                      "{0} P{1} is not a program number, so no macro is called: write 1 to 99999999"),
@@ -26,6 +27,8 @@ struct SyntecMacroCall {
       ig::diagnostic(IG_ERROR, "SYN-0079",
                      "the macro has not read {0} of its call: the control then moves by the words, here it does not"),
   };
+
+  static constexpr std::size_t most_modal = 10;
 
   ig::Signal call_{"Parsing.~SyntecMacroCall", ig::read | ig::wake};
   ig::Signal modal_{"SyntecMacro.~Modal", ig::write, ig::Life::modal};
@@ -113,6 +116,9 @@ struct SyntecMacroCall {
     if (!repeats || *repeats == 0) return;
     MacroStore& store = environment_.store();
     if (call.code != "G65") {
+      if (store.level().modal.size() >= most_modal)
+        return b.report(ig::diag("SYN-0080"), call.where(), std::string_view(call.code),
+                        static_cast<double>(most_modal));
       const std::uint64_t tag = store.enter_modal(std::move(given));
       store.level().modal.push_back({name, number, *repeats, tag, call.code == "G66.1"});
       b.raise(modal_);
