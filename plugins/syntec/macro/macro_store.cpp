@@ -156,7 +156,7 @@ std::optional<MacroStore::Variable> at_variable(double number) {
 std::optional<MacroStore::Variable> hash_variable(double number) {
   if (!(number >= 0 && number <= 31986) || number != std::floor(number)) return std::nullopt;
   const auto n = static_cast<std::uint32_t>(number);
-  return MacroStore::Variable{n <= last_local ? Area::local : Area::number, n};
+  return MacroStore::Variable{n <= last_local ? MacroStore::Area::local : MacroStore::Area::number, n};
 }
 
 }  // namespace syntec
