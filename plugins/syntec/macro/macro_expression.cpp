@@ -146,7 +146,7 @@ std::optional<MacroValue> MacroExpression::primary() {
   const char c = here();
   if (c == '(') {
     ++position_;
-    const auto out = binary(0);
+    auto out = binary(0);
     if (!out) return std::nullopt;
     if (!accept(')')) return fail(ig::diag("SYN-0022"), begin, text_.text.size());
     return out;

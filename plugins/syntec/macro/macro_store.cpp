@@ -85,8 +85,8 @@ std::uint64_t MacroStore::enter_modal(Arguments arguments) {
 }
 
 void MacroStore::set_trap(std::uint64_t tag, Arguments trap) {
-  for (Level& level : parked_)
-    if (level.tag == tag) level.trap = std::move(trap);
+  const auto level = std::find_if(parked_.begin(), parked_.end(), [&](const Level& one) { return one.tag == tag; });
+  if (level != parked_.end()) level->trap = std::move(trap);
 }
 
 void MacroStore::drop_modal(std::uint64_t tag) {
@@ -99,6 +99,7 @@ void MacroStore::offer(Arguments arguments, bool is_modal) {
     std::erase_if(parked_, [](const Level& level) { return level.is_offered; });
     enter_modal(std::move(arguments));
     parked_.back().is_offered = true;
+    has_offer_ = false;
   } else {
     offered_ = std::move(arguments);
     has_offer_ = true;
