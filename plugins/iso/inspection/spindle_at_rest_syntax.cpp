@@ -15,8 +15,13 @@ struct SpindleAtRest {
                      "M04 first"),
   };
 
-  ig::InWhile<ig::Symbol> direction_{"SpindleSpeed.Direction", "STOP", ig::wake};
-  ig::In<ig::Symbol> feed_mode_{"Feedrate.Term"}, motion_code_{"MotionState.Term"};
+  ig::InWhile<ig::Symbol> while_per_revolution_{"Feedrate.Term", "G95"};
+  /// After a thread; G33 itself would be looked for whenever the motion code changes.
+  ig::InWhile<double> while_threaded_{"ThreadCutting.Lead"};
+  ig::In<ig::Symbol> feed_mode_{"Feedrate.Term", ig::wake};
+  ig::In<double> lead_{"ThreadCutting.Lead", ig::wake};
+  ig::In<ig::Symbol> motion_code_{"MotionState.Term"};
+  ig::In<ig::Symbol> direction_{"SpindleSpeed.Direction", ig::wake};
   ig::Previous<ig::Symbol> direction_before_{"SpindleSpeed.Direction"};
   ig::In<double> feed_{"MotionEvent.Feedrate_mmds"};
   ig::Field<double> feed_of_step_{"CompoundMotion.Items[].MotionEvent.Feedrate_mmds", ig::read};
