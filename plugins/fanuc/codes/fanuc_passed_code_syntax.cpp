@@ -31,9 +31,13 @@ struct FanucPassedCode {
     while (next < text.size()) {
       const char letter = to_upper(text[next]);
       if (letter != 'G' && letter != 'M' && letter != 'N') break;
+      if (letter == 'G' && is_digit(at(text, next + 1))) {  // passed over alone; FlagSyntax joins "G54. 1"
+        next = skip_while(text, next + 2, [](char c) { return is_digit(c) || c == '.' || is_blank(c); });
+        continue;
+      }
       const std::size_t begin = ig::cnc::skip_blanks(text, next + 1);
       std::size_t end = begin;
-      if (letter == 'G') {  // only passed over, so its number is not read; FlagSyntax joins "G54. 1"
+      if (letter == 'G') {
         end = skip_while(text, begin, [](char c) { return is_digit(c) || c == '.' || is_blank(c); });
       } else if (const ig::Decimal number = ig::read_decimal(text, begin); number.ok) {
         b.set(letter == 'M' ? m_ : n_, number.value);

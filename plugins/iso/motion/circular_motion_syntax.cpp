@@ -227,13 +227,14 @@ struct CircularMotion {
     const auto length = [&](double rise) { return arc_length(path.start(), path.end(), center, is_ccw, rise); };
     const bool by_radius = inverse_time_ == InverseTime::radius;
     motion_.arc(b, point, is_ccw, [&] { return by_radius ? (path.start() - center).length() : length(path.rise()); });
-    if (feeds_along_arc_ && path.rise() != 0 && (by_radius || !b.is(feed_mode_, g93_)))
-      speed_up(b, length(0), path.rise());
+    if (path.rise() != 0) [[unlikely]]
+      feed_helix(b, path, length(0));
   }
 
-  /// F is the speed along the arc alone, and the path is longer.
-  void speed_up(ig::Block& b, double arc, double rise) const {
-    if (const auto feed = b.get(feedrate_)) b.set(feedrate_, *feed * std::hypot(1, rise / arc));
+  /// F may be the speed along the arc alone, and the path is longer.
+  [[gnu::noinline]] void feed_helix(ig::Block& b, const Path& path, double arc) const {
+    if (!feeds_along_arc_ || (b.is(feed_mode_, g93_) && inverse_time_ == InverseTime::length)) return;
+    if (const auto feed = b.get(feedrate_)) b.set(feedrate_, *feed * std::hypot(1, path.rise() / arc));
   }
 };
 
