@@ -38,7 +38,7 @@ struct KlartextProgramCycle {
     const bool is_called = b.has(call_) && !b.has(modal_call_) && b.get_or(number_, std::int64_t{0}) == 12;
     if (!is_called || b.is_raised(done_)) return any ? ig::Status::changed : ig::Status::unchanged;
     b.raise(done_);
-    const std::string path(b.text(b.get_or(program_, ig::Symbol{})));
+    const std::string_view path = b.text(b.get_or(program_, ig::Symbol{}));
     if (path.empty()) {
       b.report(ig::diag("HEI-0163"), ig::Where::block(), 12.0, std::string_view("the name of the program"));
       return ig::Status::changed;
@@ -47,7 +47,7 @@ struct KlartextProgramCycle {
     b.set_text(file_name_, path);
     const ig::Flow::Answer answer = ask_program(b, values_.flow(), path);
     if (answer.is_not_found())
-      b.report(ig::diag("HEI-0121"), ig::Where::block(), std::string_view(path), answer.reason);
+      b.report(ig::diag("HEI-0121"), ig::Where::block(), path, answer.reason);
     else if (is_beside(b))
       b.raise(ends_side_);
     return ig::Status::changed;
