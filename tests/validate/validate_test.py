@@ -171,7 +171,7 @@ FAULTS = {
 # What a busy machine may make fail, and statics: whether a number in a variable looks like an address depends on where the
 # system has put the heap this time.
 TIMES = {"load-time", "time", "statics"}
-LIMITS = ["--call-limit", "1", "--memory-limit", "512", "--blocks", "100"]
+LIMITS = ["--call-limit", "1", "--memory-limit", "512"]
 
 
 def faulty(name):
@@ -212,7 +212,8 @@ class Validate(Case):
                 for _ in range(10 if check == "threads" else 1):
                     # A busy machine takes long for what grows with the square of the text, and is not to call it a hang.
                     limits = ["--call-limit", "10", *LIMITS[2:]] if fault == "scan_reads_rest" else LIMITS
-                    status, checks = self.checks(faulty(fault), "--only", check, *limits)
+                    blocks = ["--blocks", "100"] if check == "random-blocks" else []
+                    status, checks = self.checks(faulty(fault), "--only", check, *limits, *blocks)
                     found = [c for c in checks if c["Name"] == check][0]
                     if found["Result"] == "failed":
                         break
