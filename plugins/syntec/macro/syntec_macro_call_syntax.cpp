@@ -1,7 +1,6 @@
 /// G65 in files in MACRO format: a macro is called with local variables of its own, and the words of the block are its
 /// arguments. G66 and G66.1 keep a macro for the blocks after them. In files in ISO format FanucMacroCallSyntax makes
 /// these calls; here the arguments are kept, in case the called file is in MACRO format.
-#include <ranges>
 
 #include "macro/macro_requests.hpp"
 
@@ -61,12 +60,12 @@ struct SyntecMacroCall {
     }
     environment_.enter(b);
     bool is_done = false;
-    for (const WordCall& call : std::ranges::reverse_view(scan_->calls)) {
-      if (call.code != "G65" && call.code != "G66" && call.code != "G66.1") continue;
+    for (auto call = scan_->calls.rbegin(); call != scan_->calls.rend(); ++call) {
+      if (call->code != "G65" && call->code != "G66" && call->code != "G66.1") continue;
       if (is_done)
-        b.report(ig::diag("SYN-0076"), call.where(), std::string_view(call.code));
+        b.report(ig::diag("SYN-0076"), call->where(), std::string_view(call->code));
       else
-        execute(b, call);
+        execute(b, *call);
       is_done = true;
     }
     return ig::Status::changed;
