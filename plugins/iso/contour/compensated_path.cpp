@@ -129,7 +129,7 @@ Corner CompensatedPath::end_of(ig::Block& b, const ContourMotion& now, double of
   if (next.kind != ContourAhead::Next::Kind::move || !now.move.fits(offset)) return square_corner(now.move, offset);
   if (next.offset == 0) {
     if (next.direction.length() > 0) return directed_end(now.move, offset, next.direction);
-    if (const auto away = ahead_.leaves_behind(now.move, next, offset))
+    if (const auto away = ContourAhead::leaves_behind(now.move, next, offset))
       return about_first_or_last(b, now.move, *away, offset);
     const bool goes_at_once = without_move_ == WithoutMove::at_once && next.cancels_at_rest;
     if (!is_type_b_ || next.move.is_arc || goes_at_once) return square_corner(now.move, offset);
