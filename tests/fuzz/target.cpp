@@ -61,7 +61,7 @@ void add_words(std::string_view text, std::set<std::string>& out) {
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= text.size(); ++i) {
     if (i < text.size() &&
-        (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || joining.find(text[i]) != joining.npos))
+        (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || joining.find(text[i]) != std::string_view::npos))
       continue;
     if (i - begin >= fewest && i - begin <= most) out.emplace(text.substr(begin, i - begin));
     begin = i + 1;

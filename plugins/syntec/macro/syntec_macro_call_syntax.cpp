@@ -60,12 +60,13 @@ struct SyntecMacroCall {
     }
     environment_.enter(b);
     bool is_done = false;
-    for (auto call = scan_->calls.rbegin(); call != scan_->calls.rend(); ++call) {
-      if (call->code != "G65" && call->code != "G66" && call->code != "G66.1") continue;
+    for (std::size_t i = scan_->calls.size(); i-- > 0;) {
+      const WordCall& call = scan_->calls[i];
+      if (call.code != "G65" && call.code != "G66" && call.code != "G66.1") continue;
       if (is_done)
-        b.report(ig::diag("SYN-0076"), call->where(), std::string_view(call->code));
+        b.report(ig::diag("SYN-0076"), call.where(), std::string_view(call.code));
       else
-        execute(b, *call);
+        execute(b, call);
       is_done = true;
     }
     return ig::Status::changed;
