@@ -24,26 +24,24 @@ struct FanucPassedCode {
   ig::Field<double> n_{"PassedCode.N", ig::take | ig::write | ig::wake, {ig::Life::block, "", "The N found last."}};
   PassedCodeMark mark_{ig::read | ig::write};
 
-  /// Adjacent G and M codes are read here as one row, as in FlagSyntax.
+  /// Adjacent G and M codes are read here as one row, as in FlagSyntax, which does not stop between them. N stands
+  /// alone.
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
     if (macros_.flow.is_indexing()) return position;
-    std::size_t next = position;
-    while (next < text.size()) {
+    if (to_upper(text[position]) == 'N') {
+      keep(b, n_, text, position);
+      return position;
+    }
+    for (std::size_t next = position; next < text.size();) {
       const char letter = to_upper(text[next]);
-      if (letter != 'G' && letter != 'M' && letter != 'N') break;
+      if (letter != 'G' && letter != 'M') break;
       if (letter == 'G' && is_digit(at(text, next + 1))) {  // passed over alone; FlagSyntax joins "G54. 1"
-        next = skip_while(text, next + 2, [](char c) { return is_digit(c) || c == '.' || is_blank(c); });
+        next = skip_while(text, next + 2, is_part_of_code);
         continue;
       }
       const std::size_t begin = ig::cnc::skip_blanks(text, next + 1);
-      std::size_t end = begin;
-      if (letter == 'G') {
-        end = skip_while(text, begin, [](char c) { return is_digit(c) || c == '.' || is_blank(c); });
-      } else if (const ig::Decimal number = ig::read_decimal(text, begin); number.ok) {
-        b.set(letter == 'M' ? m_ : n_, number.value);
-        end = number.end;
-      }
-      if (end == begin) break;
+      const std::size_t end = letter == 'M' ? keep(b, m_, text, next) : skip_while(text, begin, is_part_of_code);
+      if (end <= begin) break;
       next = ig::cnc::skip_blanks(text, end);
     }
     return position;
@@ -57,6 +55,16 @@ struct FanucPassedCode {
   }
 
  private:
+  static constexpr bool is_part_of_code(char c) { return is_digit(c) || c == '.' || is_blank(c); }
+
+  /// Keeps the number behind the letter at `position`; returns its end, or the place of the letter.
+  std::size_t keep(ig::Block& b, const ig::Field<double>& field, std::string_view text, std::size_t position) const {
+    const ig::Decimal number = ig::read_decimal(text, ig::cnc::skip_blanks(text, position + 1));
+    if (!number.ok) return position;
+    b.set(field, number.value);
+    return number.end;
+  }
+
   static std::optional<double> take(ig::Block& b, const ig::Field<double>& field) {
     ig_value value;
     return b.take(field.id(), value) ? std::optional(value.number) : std::nullopt;
