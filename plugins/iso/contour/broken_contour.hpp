@@ -120,7 +120,8 @@ class BrokenContour {
     constexpr double left_mm = 0.001;
     double fits = 0, too_large = wanted.size;
     while (too_large - fits > left_mm / 10) {
-      const double middle = (fits + too_large) / 2;
+      const double middle = fits + (too_large - fits) / 2;
+      if (middle <= fits || middle >= too_large) break;  // no number lies between them
       const bool is_fitting = break_corner(first, begin, second, middle, wanted.shape).why == Unbroken::no;
       (is_fitting ? fits : too_large) = middle;
     }
