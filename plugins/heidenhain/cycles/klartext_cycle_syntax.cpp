@@ -102,11 +102,11 @@ struct KlartextCycle {
 
   /// CYCL DEF 1.2 DEPTH -20: a part of one of the older cycles.
   void part(ig::Block& b, std::string_view text, std::size_t definition, const CycleNumber& number) const {
-    const bool is_known = number.cycle == 1 || number.cycle == 2 || number.cycle == 17;
-    const std::uint32_t most = number.cycle == 1 ? 5 : number.cycle == 2 ? 4 : 3;
+    const bool is_known = number.cycle == 1 || number.cycle == 2 || number.cycle == 12 || number.cycle == 17;
+    const std::uint32_t most = number.cycle == 1 ? 5 : number.cycle == 2 ? 4 : number.cycle == 12 ? 1 : 3;
     if (b.get_or(number_, std::int64_t{0}) != number.cycle || (is_known && *number.part > most))
       return report_without_meaning(b, text, definition, "CYCL DEF");
-    if (number.cycle == 12 && *number.part == 1) return program(b, text, number.end);
+    if (number.cycle == 12) return program(b, text, number.end);
     if (!is_known) return;  // reported where the cycle began
     const Value v = text_.number_behind(b, text, number.end);
     const auto where = ig::Where::columns(number.end, std::max(number.end + 1, v.ok ? v.end : text.size()));
@@ -184,9 +184,14 @@ struct KlartextCycle {
     report_missing_axes(b, begin, behind);
   }
 
-  void keep_way_feed(ig::Block& b) const {
+  /// Cycle 12 leaves the way to the point to the motion of the block, which has the feed in force.
+  void keep_way_feed(ig::Block& b, std::size_t begin, std::size_t end) const {
     const auto feed = text_.feed().take(b);
     if (!feed) return;
+    if (!(feed->value > 0)) return b.report(ig::diag("ISO-0210"), ig::Where::columns(begin, end), feed->value);
+    if (b.get_or(number_, std::int64_t{0}) == 12)
+      return b.report(ig::diag("HEI-0140"), ig::Where::columns(begin, end), std::string_view("F of CYCL CALL POS"),
+                      std::string_view("cycle 12 goes to its point with the feed rate in force"));
     b.set(way_feed_, feed->is_per_revolution ? feed->value : feed->value * unit_.in_mm(b));
     b.set(way_per_revolution_, feed->is_per_revolution);
   }
@@ -206,7 +211,7 @@ struct KlartextCycle {
     if (c == 'M') return m_.scan(b, text_.values(), text, i);
     if (c == 'F') {
       const std::size_t end = text_.feed().scan(b, text_.values(), text, i, is_rapid);
-      if (is_positioned) keep_way_feed(b);
+      if (is_positioned) keep_way_feed(b, i, end);
       return end;
     }
     const std::size_t axis = std::string_view("XYZ").find(c);
