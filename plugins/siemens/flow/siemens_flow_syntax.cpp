@@ -118,8 +118,10 @@ struct SiemensFlow {
     if (name == "ENDLABEL" || environment_.flow.here(b).line == 0) return;  // a case of a page is in no program
     const auto is_there = [&](ig_search where) { return environment_.flow.has_label(b, name, where); };
     if (!is_there(IG_SEARCH_FORWARD) && !is_there(IG_SEARCH_BACKWARD)) return;
+    const ig_frame program = environment_.flow.frame(b);
     std::string place = "SIE-0395\n";
-    place.append(ig::to_view(environment_.flow.frame(b).file)).append(1, '\n').append(name);
+    place.append(ig::to_view(program.file)).append(1, '\n').append(ig::to_view(program.program));
+    place.append(1, '\n').append(name);
     if (environment_.store().is_first_report(place))
       b.report(ig::diag("SIE-0395"), ig::Where::columns(label_begin_, label_end_), name);
   }

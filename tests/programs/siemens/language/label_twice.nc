@@ -22,5 +22,7 @@ L100 P=R1-3
 L100 P1
 M30
 %_N_L100_SPF
+; The labels of another program.
 PART: G0 X7
+PART: G0 X8
 M17
