@@ -33,6 +33,10 @@ struct KlartextProgram {
       "KlartextProgram.InchCallers",
       ig::read | ig::write,
       {ig::Life::modal, "", "A bit for each depth at which a program was called from one in inches."}};
+  ig::Field<std::int64_t> open_calls_{
+      "KlartextProgram.OpenCalls",
+      ig::read | ig::write | ig::wake_while,
+      {ig::Life::modal, "", "A bit for each depth at which a called program has begun and not ended."}};
   ig::Codes stop_{{"M00"}, ig::write};
   ig::Codes end_codes_{{"M02", "M30"}, ig::read | ig::wake};
   ig::Out<ig::Symbol> end_term_{"ProgramEnd.Term"};
@@ -50,6 +54,7 @@ struct KlartextProgram {
       if (values_.is_indexing()) return end;
       b.raise(ends_);
       give_back_unit(b, position);
+      set_open_calls(b, b.get_or(open_calls_, std::int64_t{0}) & ~call_bit(b));
       name_and_unit(b, text.substr(0, end), i, "END PGM");
       return end;
     }
@@ -63,11 +68,12 @@ struct KlartextProgram {
   }
 
   ig::Status build(ig::Block& b) {
+    const bool any = b.has(open_calls_) && close_deeper_calls(b);
     if (b.is_raised(text_ended_) && b.is_raised(begun_)) b.report(ig::diag("HEI-0190"), ig::Where::block());
     if (!b.is_raised(ends_)) {
       // After M2 and M30 come subprograms, and END PGM.
       if (b.find(end_codes_)) b.flow(IG_FLOW_END_FILE);
-      return ig::Status::unchanged;
+      return any ? ig::Status::changed : ig::Status::unchanged;
     }
     if (values_.flow().frame(b).depth > 0) {
       values_.flow().leave(b);
@@ -151,28 +157,52 @@ struct KlartextProgram {
       values_.flow().label(b, name_, IG_LABEL_PROGRAM);
       return end;
     }
-    if (b.is_raised(begun_) && values_.flow().frame(b).depth == 0)
-      b.report(ig::diag("HEI-0395"), ig::Where::columns(position, end), found.name);
+    const bool is_second = is_open(b);
+    if (is_second) b.report(ig::diag("HEI-0395"), ig::Where::columns(position, end), found.name);
     b.raise(begun_);
     if (found.unit.empty())
       b.report(ig::diag("HEI-0104"), ig::Where::columns(position, i), std::string_view("BEGIN PGM"),
                std::string_view("MM or INCH"));
-    keep_unit(b);
+    if (!is_second) keep_unit(b);
     put_code(b, units_.id(is_inch ? 0 : 1), position, position + 1);
     return end;
   }
 
+  /// The bit of a called program; 0 in the main program, and where calls are nested too deep for one.
+  std::int64_t call_bit(ig::Block& b) const {
+    const std::uint32_t depth = values_.flow().frame(b).depth;
+    return depth == 0 || depth >= 63 ? 0 : std::int64_t{1} << depth;
+  }
+  bool is_open(ig::Block& b) const {
+    if (values_.flow().frame(b).depth == 0) return b.is_raised(begun_);
+    return (b.get_or(open_calls_, std::int64_t{0}) & call_bit(b)) != 0;
+  }
+  void set_open_calls(ig::Block& b, std::int64_t open) const {
+    if (open != 0)
+      b.set(open_calls_, open);
+    else if (b.has(open_calls_))
+      b.erase(open_calls_);
+  }
+  /// A called program whose file ends without END PGM is open no more in the next block of its caller.
+  bool close_deeper_calls(ig::Block& b) const {
+    const std::uint32_t depth = values_.flow().frame(b).depth;
+    const std::int64_t open = b.get_or(open_calls_, std::int64_t{0});
+    const std::int64_t kept = depth >= 62 ? open : open & ((std::int64_t{2} << depth) - 1);
+    if (kept != open) set_open_calls(b, kept);
+    return kept != open;
+  }
+
   // The unit of a program that is called does not last in the one that calls it.
   void keep_unit(ig::Block& b) const {
-    const std::uint32_t depth = values_.flow().frame(b).depth;
-    if (depth == 0 || depth >= 63) return;
-    const std::int64_t bit = std::int64_t{1} << depth, kept = b.get_or(inch_callers_, std::int64_t{0});
+    const std::int64_t bit = call_bit(b), kept = b.get_or(inch_callers_, std::int64_t{0});
+    if (bit == 0) return;
+    set_open_calls(b, b.get_or(open_calls_, std::int64_t{0}) | bit);
     b.set(inch_callers_, unit_.is_inch(b) ? kept | bit : kept & ~bit);
   }
   void give_back_unit(ig::Block& b, std::size_t position) const {
-    const std::uint32_t depth = values_.flow().frame(b).depth;
-    if (depth == 0 || depth >= 63) return;
-    const bool is_inch = (b.get_or(inch_callers_, std::int64_t{0}) >> depth & 1) != 0;
+    const std::int64_t bit = call_bit(b);
+    if (bit == 0) return;
+    const bool is_inch = (b.get_or(inch_callers_, std::int64_t{0}) & bit) != 0;
     if (is_inch != unit_.is_inch(b)) put_code(b, units_.id(is_inch ? 0 : 1), position, position + 1);
   }
 
