@@ -26,29 +26,24 @@ struct SpindleAtRest {
   ig::In<double> feed_{"MotionEvent.Feedrate_mmds"};
   ig::Field<double> feed_of_step_{"CompoundMotion.Items[].MotionEvent.Feedrate_mmds", ig::read};
   ig::Field<ig::Symbol> spindle_of_step_{"CompoundMotion.Items[].SpindleControl.Direction", ig::read};
+  /// Of the present stretch without a turn.
+  ig::Signal said_{"SpindleAtRest.~Said", ig::read | ig::write, ig::Life::modal};
   ig::Name g95_{"G95"}, g33_{"G33"}, stop_{"STOP"};
-  /// Of the present stretch without a turn. It is not a field of the block, because the blocks in the look-ahead window
-  /// began before this one was checked.
-  bool is_reported_ = false;
-
-  ig::Status restart(ig::Block&) {
-    is_reported_ = false;
-    return ig::Status::unchanged;
-  }
 
   ig::Status build(ig::Block& b) {
     // A stop of this block comes after its move.
     const bool is_at_rest = b.is(direction_, stop_) && b.is(direction_before_, stop_);
     if (!is_at_rest) {
-      is_reported_ = false;
-      return ig::Status::unchanged;
+      if (!b.is_raised(said_)) return ig::Status::unchanged;
+      b.erase(said_);
+      return ig::Status::changed;
     }
     const bool threads = b.is(motion_code_, g33_);
-    if (is_reported_ || !(threads || b.is(feed_mode_, g95_)) || !(b.has(feed_) || has_step_at_rest(b)))
+    if (b.is_raised(said_) || !(threads || b.is(feed_mode_, g95_)) || !(b.has(feed_) || has_step_at_rest(b)))
       return ig::Status::unchanged;
-    is_reported_ = true;
     b.report(ig::diag("ISO-0604"), ig::Where::block(), std::string_view(threads ? "G33" : "G95"));
-    return ig::Status::unchanged;
+    b.raise(said_);
+    return ig::Status::changed;
   }
 
  private:
