@@ -24,9 +24,9 @@ struct ParameterizedFlagSyntax {
   WordRow block = row_of_block(addresses);
   std::vector<ig_field> owners = owner_codes();
   std::vector<std::vector<ig_field>> sources = source_words();
-  // For each of `rows`
   ig::Codes motions{{"G00", "G01", "G02", "G03", "G33"}, ig::read};
-  std::vector<bool> is_thread = rows_of_code(motions.id(4));
+  ig_field thread = motions.id(4);
+  // For each of `rows`
   std::vector<bool> is_cycle = rows_of_kind(ig::cnc::cycle_kind), is_pattern = rows_of_kind(ig::cnc::hole_pattern_kind);
 
   ig::Status build(ig::Block& b) const {
@@ -40,15 +40,9 @@ struct ParameterizedFlagSyntax {
  private:
   /// G33 owns no words where another motion code follows it: that code moves the axes, and F is its feed rate.
   bool is_replaced(const ig::Block& b, std::size_t row) const {
-    if (!is_thread[row]) return false;
+    if (rows[row].code != thread) return false;
     const auto last = b.find(motions);
-    return last && motions.id(*last) != rows[row].code;
-  }
-
-  std::vector<bool> rows_of_code(ig_field code) const {
-    std::vector<bool> out;
-    for (const WordRow& row : rows) out.push_back(row.code == code);
-    return out;
+    return last && motions.id(*last) != thread;
   }
 
   std::vector<ig_field> owner_codes() const {
