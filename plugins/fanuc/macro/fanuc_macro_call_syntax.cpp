@@ -38,6 +38,8 @@ struct FanucMacroCall {
 
   ig::Choice<IjkSets> ijk_sets_{"ijk-sets", "automatic|one", "automatic",
                                 "A second I, J or K begins the next set, #7 #8 #9, or replaces the first one."};
+  ig::Choice<Slashes> slashes_{"slashes", "none|comment", "none",
+                               "What // among the arguments means: two signs of block skip, or a comment."};
   ig::IntegerOption nesting_{"nesting", "5", {1, 99}, "How deep the control lets macro calls nest."};
   ig::Choice<OwnBlock> own_block_{"each-block-call", "calls|waits", "calls",
                                   "Whether the block of G66.1 itself calls the macro, with its arguments."};
@@ -102,7 +104,7 @@ struct FanucMacroCall {
       }
     }
     environment_.enter(b);
-    MacroCallReader reader(b, text, environment_, units_, block_skip_, ijk_sets_, words_);
+    MacroCallReader reader(b, text, environment_, units_, block_skip_, ijk_sets_, slashes_, words_);
     using Names = MacroCallReader::Names;
     end_ = reader.read(number.end, tag_bits_ == 0 ? Names::accepted : Names::refused);
     if (row_ != nullptr) record_.add(b, *row_, ig::Where::columns(position, end_), piece(text, position, end_));

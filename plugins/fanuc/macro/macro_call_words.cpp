@@ -27,7 +27,7 @@ std::size_t MacroCallReader::read(std::size_t position, Names names) {
   std::size_t end = rest_ = position;
   for (std::size_t begin = position;;) {
     begin = next_call_word(text_, begin);
-    const bool begins_comment = piece(text_, begin, begin + 2) == "//";  // Syntec; another scanner reads it
+    const bool begins_comment = slashes_ == Slashes::comment && piece(text_, begin, begin + 2) == "//";
     if (begin >= text_.size() || begins_comment) return end;
     if (text_[begin] == '/') {
       if (skips(begin)) return end;

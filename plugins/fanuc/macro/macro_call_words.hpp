@@ -23,6 +23,9 @@ using namespace ig::cnc;
 /// What a second I, J or K does: it begins the next set, #7 #8 #9, or replaces the first one.
 enum class IjkSets { automatic, one };
 
+/// What // among the words is: two signs of block skip, or a comment, which another scanner reads.
+enum class Slashes { none, comment };
+
 /// The numbers are as programmed: whoever calls the program checks them.
 struct MacroCallWords {
   bool has_program = false;
@@ -40,13 +43,14 @@ class MacroCallReader {
   enum class Names { accepted, refused };
 
   MacroCallReader(ig::Block& b, std::string_view text, const MacroEnvironment& environment, const ArgumentUnits& units,
-                  const BlockSkip& block_skip, IjkSets ijk_sets, MacroCallWords& out)
+                  const BlockSkip& block_skip, IjkSets ijk_sets, Slashes slashes, MacroCallWords& out)
       : block_(b),
         text_(text),
         environment_(environment),
         units_(units),
         block_skip_(block_skip),
         ijk_sets_(ijk_sets),
+        slashes_(slashes),
         out_(out) {}
 
   /// Returns the end of the last word; rest() is where the scanners after this one go on.
@@ -78,6 +82,7 @@ class MacroCallReader {
   const ArgumentUnits& units_;
   const BlockSkip& block_skip_;
   IjkSets ijk_sets_;
+  Slashes slashes_;
   MacroCallWords& out_;
   std::size_t rest_ = 0;
   std::uint32_t set_ = 0, seen_ = 0;  // sets of I J K; letters read
