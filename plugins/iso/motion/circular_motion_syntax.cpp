@@ -6,6 +6,7 @@
 #include <isogloss/cnc/plane.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
+#include <isogloss/cnc/units.hpp>
 
 #include "motion/turning_feed.hpp"
 
@@ -41,7 +42,8 @@ struct CircularMotion {
                      "the rotary axes turn during this arc: the tool goes straight to the end instead"),
       ig::diagnostic(IG_WARNING, "ISO-0513", "the arc has neither R nor a centre: the tool goes straight to the end"),
       ig::diagnostic(IG_WARNING, "ISO-0605",
-                     "the arc ends {0} mm from its start: a control that counts {1} mm may make a full circle of it"),
+                     "the arc ends {0} mm from its start: a control with increments of {1} mm may make a full circle "
+                     "of it"),
       ig::diagnostic(IG_NOTE, "ISO-0546",
                      "words of this arc have no decimal point and are read as least increments; if they are "
                      "millimetres or inches, {0}"),
@@ -84,7 +86,11 @@ struct CircularMotion {
                                      "How far the end may lie from the circle; 0: the value of isogloss.motion/1."};
   double tolerance_ = radius_tolerance_ > 0 ? double{radius_tolerance_}
                                             : config_.number("ArcRadiusTolerance_mm").value_or(0);
-  double half_increment_mm_ = number_format_.number("LengthIncrement_mm").value_or(0) / 2;
+  ig::In<ig::Symbol> system_{"Unit.System"};
+  ig::Name inch_{"Inch"};
+  double increment_mm_ = number_format_.number("LengthIncrement_mm").value_or(0);
+  double inch_increment_mm_ = mm_per_inch * number_format_.number("LengthIncrement_inch").value_or(0);
+  double half_increment_mm_ = std::fmax(increment_mm_, inch_increment_mm_) / 2;
   bool feeds_along_arc_ = helix_feed_ == HelixFeed::parameter ? config_.number("HelixFeedAlongPath").value_or(1) == 0
                                                               : helix_feed_ == HelixFeed::arc;
 
@@ -182,8 +188,9 @@ struct CircularMotion {
 
   /// On the control, positions are whole increments: this arc has no length there, or goes all the way round.
   void suspect_full_circle(ig::Block& b, double apart, double turn) const {
-    if (apart >= same_point_mm && apart < half_increment_mm_ && std::fabs(turn) < half_turn)
-      b.report(ig::diag("ISO-0605"), ig::Where::block(), apart, 2 * half_increment_mm_);
+    const double increment = b.is(system_, inch_) ? inch_increment_mm_ : increment_mm_;
+    if (apart >= same_point_mm && apart < increment / 2 && std::fabs(turn) < half_turn)
+      b.report(ig::diag("ISO-0605"), ig::Where::block(), apart, increment);
   }
 
   void suspect_whole_numbers(ig::Block& b) const {
