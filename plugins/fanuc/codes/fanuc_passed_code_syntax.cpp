@@ -35,7 +35,7 @@ struct FanucPassedCode {
     for (std::size_t next = position; next < text.size();) {
       const char letter = to_upper(text[next]);
       if (letter != 'G' && letter != 'M') break;
-      if (letter == 'G' && is_digit(at(text, next + 1))) {  // passed over alone; FlagSyntax joins "G54. 1"
+      if (letter == 'G' && is_digit(at(text, next + 1))) {  // FlagSyntax reads the code, and joins "G54. 1"
         next = skip_while(text, next + 2, is_part_of_code);
         continue;
       }
