@@ -52,14 +52,16 @@ struct PivotTransformation {
     if (!machine_ || (!follows_tip && !is_aligned)) return leave(b);
     const RotaryTurn turn = turn_.read(b, machine_);
     const bool leads = b.is_raised(tip_stays_) || (follows_tip && !b.find(machine_select_));
-    if (follows_tip && (turn.was_moved || !b.get(orientation_).complete())) rest_tool(b, turn.from);
+    const bool is_tool_anew = follows_tip && (turn.was_moved || !b.get(orientation_).complete());
+    if (is_tool_anew) rest_tool(b, turn.from);
     if (!leads) {
       if (follows_tip && turn.moves) turn_tool(b, turn.to);
-      return rest(b, turn);
+      const ig::Status frame = rest(b, turn);
+      return is_tool_anew ? ig::Status::changed : frame;
     }
     if (!turn.is_followed || turn.was_moved || turn_.state().is_fresh(b)) set(b, turn.from);
     if (!turn.moves) return ig::Status::changed;
-    if (!lead(b, turn)) return ig::Status::unchanged;
+    if (!lead(b, turn)) return is_tool_anew ? ig::Status::changed : ig::Status::unchanged;
     if (follows_tip) turn_tool(b, turn.to);
     return ig::Status::changed;
   }
