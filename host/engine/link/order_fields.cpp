@@ -1,5 +1,6 @@
 // Dense ids: modal fields first, among them those that are read as `previous`, with their copies; then the block's,
-// switches, codes, words, words of codes (Parsing.CODE.X), those of each code together.
+// switches, codes from the beginning of a word of bits on, words, words of codes (Parsing.CODE.X), those of each code
+// together.
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -13,14 +14,28 @@ namespace {
 using Drafts = std::vector<FieldDrafts::Draft>;
 
 constexpr std::size_t maximum_previous = 63;
+constexpr std::size_t word = 64;  // fields of which one word has the bits
 
-std::size_t rank(const FieldDrafts::Draft& draft) {
+enum Rank : std::size_t {
+  previous_rank,
+  carried_rank,
+  block_rank,
+  switch_rank,
+  code_rank,
+  filling_rank,
+  word_rank,
+  code_word_rank,
+  ranks
+};
+using Order = std::array<std::vector<std::uint32_t>, ranks>;
+
+Rank rank(const FieldDrafts::Draft& draft) {
   const FieldInfo& info = draft.info;
-  if (is_carried(info.life)) return draft.has_previous && info.type != IG_TRANSFORM ? 0 : 1;
-  if (info.type == IG_SWITCH) return 3;
-  if (info.type == IG_CODE) return 4;
-  if (info.life != IG_LIFE_WORD) return 2;
-  return std::count(info.path.begin(), info.path.end(), '.') > 1 ? 6 : 5;
+  if (is_carried(info.life)) return draft.has_previous && info.type != IG_TRANSFORM ? previous_rank : carried_rank;
+  if (info.type == IG_SWITCH) return switch_rank;
+  if (info.type == IG_CODE) return code_rank;
+  if (info.life != IG_LIFE_WORD) return block_rank;
+  return std::count(info.path.begin(), info.path.end(), '.') > 1 ? code_word_rank : word_rank;
 }
 
 bool begins_point(const Drafts& drafts, const std::vector<std::uint32_t>& numbers, std::size_t i) {
@@ -42,7 +57,7 @@ void keep_points_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers
       ++i;
       continue;
     }
-    std::size_t room = 64 - (first_id + i) % 64;
+    std::size_t room = word - (first_id + i) % word;
     for (std::size_t single = i + 3; room < 3 && room > 0 && single < numbers.size();) {
       if (begins_point(drafts, numbers, single)) {
         single += 3;
@@ -61,7 +76,6 @@ void keep_points_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers
 /// The words of one code, which are mostly read and taken at once, have their bits in one word where there is room: the
 /// largest of those that fit into the rest of a word comes next, and where none does the smallest one.
 void keep_codes_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers, std::size_t first_id) {
-  constexpr std::size_t word = 64;
   std::vector<std::vector<std::uint32_t>> codes;
   std::unordered_map<std::string_view, std::size_t> place_of;
   for (const std::uint32_t number : numbers) {
@@ -83,6 +97,25 @@ void keep_codes_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers,
     numbers.insert(numbers.end(), code.begin(), code.end());
     by_size[size].pop_back();
   }
+}
+
+/// The codes that are mentioned first, such as those of motion, are looked for in nearly every block: their bits lie in
+/// one word, whatever number of fields stands before them, because fields of the block are placed behind the codes.
+void begin_word_with_codes(const Drafts& drafts, Order& order, std::size_t copies) {
+  std::size_t before = copies;
+  for (std::size_t r = 0; r < code_rank; ++r) before += order[r].size();
+  std::vector<std::uint32_t> kept;
+  std::vector<std::uint32_t>& numbers = order[block_rank];
+  for (std::size_t i = 0; i < numbers.size();) {
+    const std::size_t size = begins_point(drafts, numbers, i) ? 3 : 1;
+    const bool is_moved = before % word != 0 && size == 1 && drafts[numbers[i]].info.type != IG_TRANSFORM;
+    std::vector<std::uint32_t>& to = is_moved ? order[filling_rank] : kept;
+    to.insert(to.end(), numbers.begin() + static_cast<std::ptrdiff_t>(i),
+              numbers.begin() + static_cast<std::ptrdiff_t>(i + size));
+    if (is_moved) --before;
+    i += size;
+  }
+  numbers = std::move(kept);
 }
 
 /// By section; in a section what is carried first, words last, each in the order in which it is mentioned.
@@ -108,7 +141,7 @@ void order_for_show(Layout& layout, const std::vector<ig_field>& id_of) {
 FieldIds order_fields(Linking& linking, FieldDrafts& field_drafts) {
   Layout& layout = linking.out.layout;
   Drafts& drafts = field_drafts.drafts();
-  std::array<std::vector<std::uint32_t>, 7> order;
+  Order order;
   for (std::uint32_t i = 0; i < drafts.size(); ++i) order[rank(drafts[i])].push_back(i);
   std::vector<std::uint32_t> previous;  // in the order of their ids, so that one piece of memory holds them
   for (const std::vector<std::uint32_t>& same_rank : order)
@@ -117,17 +150,18 @@ FieldIds order_fields(Linking& linking, FieldDrafts& field_drafts) {
   if (previous.size() > maximum_previous)
     linking.report("IG-0224", {linking.out.dialect.file.string(), 0, 0},
                    {std::to_string(previous.size()), std::to_string(maximum_previous)});
+  begin_word_with_codes(drafts, order, previous.size());
 
   FieldIds ids{std::vector<ig_field>(drafts.size(), IG_NO_FIELD), std::vector<ig_field>(drafts.size(), IG_NO_FIELD)};
   ig_field next = 0;
   const auto give = [&](std::vector<std::uint32_t>& numbers, std::vector<ig_field>& given) {
-    if (&numbers == &order.back()) keep_codes_whole(drafts, numbers, next);
+    if (&numbers == &order[code_word_rank]) keep_codes_whole(drafts, numbers, next);
     keep_points_whole(drafts, numbers, next);
     for (const std::uint32_t number : numbers) given[number] = next++;
   };
   for (std::vector<std::uint32_t>& same_rank : order) {
     give(same_rank, ids.of);
-    if (&same_rank == &order[0]) give(previous, ids.of_previous);
+    if (&same_rank == &order[previous_rank]) give(previous, ids.of_previous);
   }
   layout.fields.resize(next);
   for (const std::vector<std::uint32_t>& same_rank : order)
