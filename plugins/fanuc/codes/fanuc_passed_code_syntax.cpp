@@ -23,27 +23,15 @@ struct FanucPassedCode {
       "PassedCode.M", ig::take | ig::write | ig::wake, {ig::Life::block, "", "The M code found last."}};
   ig::Field<double> n_{"PassedCode.N", ig::take | ig::write | ig::wake, {ig::Life::block, "", "The N found last."}};
   PassedCodeMark mark_{ig::read | ig::write};
+  ig::Signal row_{"PassedCode.~Row", ig::read | ig::write};
 
-  /// Adjacent G and M codes are read here as one row, as in FlagSyntax, which does not stop between them. N stands
-  /// alone.
-  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (macros_.flow.is_indexing()) return position;
-    if (to_upper(text[position]) == 'N') {
+    const char letter = to_upper(text[position]);
+    if (letter == 'N')
       keep(b, n_, text, position);
-      return position;
-    }
-    for (std::size_t next = position; next < text.size();) {
-      const char letter = to_upper(text[next]);
-      if (letter != 'G' && letter != 'M') break;
-      if (letter == 'G' && is_digit(at(text, next + 1))) {  // FlagSyntax reads the code, and joins "G54. 1"
-        next = skip_while(text, next + 2, is_part_of_code);
-        continue;
-      }
-      const std::size_t begin = ig::cnc::skip_blanks(text, next + 1);
-      const std::size_t end = letter == 'M' ? keep(b, m_, text, next) : skip_while(text, begin, is_part_of_code);
-      if (end <= begin) break;
-      next = ig::cnc::skip_blanks(text, end);
-    }
+    else if (letter == 'M' || !stands_alone(text, position))
+      read_row(b, text, position);
     return position;
   }
 
@@ -55,6 +43,35 @@ struct FanucPassedCode {
   }
 
  private:
+  /// Is no other code next to this G? So it is in most blocks.
+  static bool stands_alone(std::string_view text, std::size_t position) {
+    const char next = to_upper(at(text, skip_while(text, position + 1, is_part_of_code)));
+    return next != 'G' && next != 'M';
+  }
+
+  /// Adjacent G and M codes are read here as one row, as in FlagSyntax, which does not stop between them. N stands
+  /// alone. Where another syntax stops between the codes, a long row is not read again from each of them.
+  [[gnu::noinline]] void read_row(ig::Block& b, std::string_view text, std::size_t position) {
+    if (position < row_end_ && b.is_raised(row_)) return;
+    std::size_t next = position;
+    while (next < text.size()) {
+      const char letter = to_upper(text[next]);
+      if (letter != 'G' && letter != 'M') break;
+      if (letter == 'G' && is_digit(at(text, next + 1))) {  // FlagSyntax reads the code, and joins "G54. 1"
+        next = skip_while(text, next + 2, is_part_of_code);
+        continue;
+      }
+      const std::size_t begin = ig::cnc::skip_blanks(text, next + 1);
+      const std::size_t end = letter == 'M' ? keep(b, m_, text, next) : skip_while(text, begin, is_part_of_code);
+      if (end <= begin) break;
+      next = ig::cnc::skip_blanks(text, end);
+    }
+    if (next - position <= short_row) return;
+    b.raise(row_);
+    row_end_ = next;
+  }
+
+  static constexpr std::size_t short_row = 100;
   static constexpr bool is_part_of_code(char c) { return is_digit(c) || c == '.' || is_blank(c); }
 
   /// Keeps the number behind the letter at `position`; returns its end, or the place of the letter.
@@ -69,6 +86,8 @@ struct FanucPassedCode {
     ig_value value;
     return b.take(field.id(), value) ? std::optional(value.number) : std::nullopt;
   }
+
+  std::size_t row_end_ = 0;  // of the block that has raised row_
 };
 
 const ig::Register<FanucPassedCode> fanuc_passed_code_syntax;
