@@ -86,8 +86,9 @@ std::size_t find_word(std::string_view text, std::size_t position, std::string_v
   return text.size();
 }
 
-bool begins_block(std::string_view text, std::size_t position) {
-  for (std::size_t i = 0; i < position;) {
+std::size_t skip_head(std::string_view text, std::size_t begin, std::size_t end) {
+  std::size_t i = begin;
+  while (i < end) {
     const char c = text[i];
     if (is_blank(c)) {
       ++i;
@@ -95,17 +96,17 @@ bool begins_block(std::string_view text, std::size_t position) {
       i += is_digit(at(text, i + 1)) ? 2 : 1;
     } else if (c == '(' && at(text, i + 1) == '*') {
       const std::size_t close = text.find("*)", i + 2);
-      if (close == std::string_view::npos || close >= position) return false;
+      if (close == std::string_view::npos || close >= end) return i;
       i = close + 2;
-    } else if (c == 'N' || c == 'n') {
-      const std::size_t digits = skip_blanks(text, i + 1);
-      i = skip_digits(text, digits);
-      if (i == digits) return false;
+    } else if (to_upper(c) == 'N') {
+      const std::size_t digits = skip_blanks(text, i + 1), behind = skip_digits(text, digits);
+      if (behind == digits) return i;
+      i = behind;
     } else {
-      return false;
+      return i;
     }
   }
-  return true;
+  return i;
 }
 
 std::size_t label_end(std::string_view text, std::size_t position) {

@@ -50,8 +50,9 @@ bool is_word(std::string_view text, std::size_t position, std::string_view word)
 /// The position of the word outside texts; the end of the text where it does not stand.
 std::size_t find_word(std::string_view text, std::size_t position, std::string_view word);
 
-/// True when only blanks, block skips, comments (* *) and the sequence number stand before the position.
-bool begins_block(std::string_view text, std::size_t position);
+/// Skips blanks, block skips, comments (* *) and sequence numbers from `begin` on. What is returned is less than `end`
+/// where something else stands before it; it is more where one of them reaches beyond it.
+std::size_t skip_head(std::string_view text, std::size_t begin, std::size_t end);
 
 /// Which statement begins at the position, the first of its block.
 Keyword statement_at(std::string_view text, std::size_t position);

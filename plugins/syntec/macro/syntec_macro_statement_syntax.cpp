@@ -41,7 +41,8 @@ struct SyntecMacroStatement {
   SharedScan scan_;
   MacroExecution execution_;
   ig::Signal statement_{"Parsing.~MacroText", ig::read | ig::write | ig::wake};
-  ig::Signal words_{"Parsing.~MacroWords", ig::write};
+  ig::Signal words_{"Parsing.~MacroWords", ig::read | ig::write};
+  ig::Signal head_{"Parsing.~MacroHead", ig::read | ig::write};
   ig::Out<ig::Symbol> comment_symbol_{"Comment.Symbol"};
   ig::TextField comment_{"Comment.Text", ig::write};
   ig::Name brackets_{"(*"};
@@ -58,7 +59,11 @@ struct SyntecMacroStatement {
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (!format_.is_known(b) || !b.is_in_turn() || b.is_raised(statement_)) return position;
     const ig::Flow& flow = execution_.environment.flow;
-    if (!flow.is_indexing() && text.find_first_not_of(" \t") == position) scan_->enter(b, flow, format_);
+    if (!b.is_raised(head_)) {
+      b.raise(head_);
+      head_end_ = 0;
+      if (!flow.is_indexing()) scan_->enter(b, flow, format_);
+    }
     if (!format_.is_macro(b)) return position;
     StatementCollector& statement = scan_->statement;
     if (is_done_) {
@@ -67,12 +72,12 @@ struct SyntecMacroStatement {
     }
     const bool goes_on = statement.is_begun();
     if (!goes_on && scan_->comment.is_open) return go_on_with_comment(b, text, position);
-    if (!goes_on && !begins_block(text, position)) return later(b, text, position);
+    if (!goes_on && (b.is_raised(words_) || !is_head(text, position))) return later(b, text, position);
     if (!goes_on) {
       statement.clear();
       const char c = text[position];
-      const bool is_head = to_upper(c) == 'N' && is_digit(at(text, skip_blanks(text, position + 1)));
-      if (is_head || c == '/' || c == ';' || c == '%' || c == '(') return position;
+      const bool is_number = to_upper(c) == 'N' && is_digit(at(text, skip_blanks(text, position + 1)));
+      if (is_number || c == '/' || c == ';' || c == '%' || c == '(') return position;
       const Keyword k = statement_at(text, position);
       report_unended(b, text, position);
       if (k == Keyword::none) return words(b, text, position);
@@ -105,6 +110,13 @@ struct SyntecMacroStatement {
 
  private:
   static constexpr std::size_t longest = 65'535;
+
+  /// Do only blanks, block skips, comments and the sequence number stand before the position? Each byte is looked at
+  /// once, however often a block is asked.
+  bool is_head(std::string_view text, std::size_t position) {
+    head_end_ = skip_head(text, head_end_, position);
+    return head_end_ >= position;
+  }
 
   /// A comment over several lines is one of each of them.
   std::size_t go_on_with_comment(ig::Block& b, std::string_view text, std::size_t position) {
@@ -150,6 +162,7 @@ struct SyntecMacroStatement {
   Keyword keyword_ = Keyword::none;
   ig_place place_{};
   bool is_done_ = false;
+  std::size_t head_end_ = 0;  // of the block that has raised head_
   std::uint32_t open_line_ = 0;
   std::uint64_t open_frame_ = 0;
 };
