@@ -8,16 +8,19 @@ struct SpindleAtRest {
   static constexpr auto spec =
       ig::syntax("SpindleAtRestSyntax", "Reports a feed per revolution while the spindle is at rest.")
           .after("FeedrateSyntax", "SpindleSpeedSyntax", "SpindleOrientationSyntax", "TappingCycleSyntax",
-                 "LinearMotionSyntax", "CircularMotionSyntax", "ThreadCuttingSyntax", "MachineCodeFieldSyntax");
+                 "LinearMotionSyntax", "CircularMotionSyntax", "ThreadCuttingSyntax", "MachineCodeFieldSyntax",
+                 "SiemensThreadSyntax", "SiemensTappingCycleSyntax", "SiemensTurnSyntax", "KlartextTappingCycleSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "ISO-0604",
-                     "{0} counts turns of the spindle, which is at rest, so the axes would stand still: program M03 or "
-                     "M04 first"),
+                     "the move follows the turns of the spindle, which is at rest, so the axes would stand still: "
+                     "program M03 or M04 first"),
   };
 
   ig::InWhile<ig::Symbol> while_per_revolution_{"Feedrate.Term", "G95"};
   /// After a thread; G33 itself would be looked for whenever the motion code changes.
   ig::InWhile<double> while_threaded_{"ThreadCutting.Lead"};
+  ig::Field<ig::Symbol> thread_{
+      "ThreadCutting.Term", ig::read | ig::wake | ig::wake_while, {ig::Life::modal, "", ""}};  // Siemens
   ig::In<ig::Symbol> feed_mode_{"Feedrate.Term", ig::wake};
   ig::In<double> lead_{"ThreadCutting.Lead", ig::wake};
   ig::In<ig::Symbol> motion_code_{"MotionState.Term"};
@@ -38,10 +41,10 @@ struct SpindleAtRest {
       b.erase(said_);
       return ig::Status::changed;
     }
-    const bool threads = b.is(motion_code_, g33_);
+    const bool threads = b.is(motion_code_, g33_) || b.is(thread_, g33_);
     if (b.is_raised(said_) || !(threads || b.is(feed_mode_, g95_)) || !(b.has(feed_) || has_step_at_rest(b)))
       return ig::Status::unchanged;
-    b.report(ig::diag("ISO-0604"), ig::Where::block(), std::string_view(threads ? "G33" : "G95"));
+    b.report(ig::diag("ISO-0604"), ig::Where::block());
     b.raise(said_);
     return ig::Status::changed;
   }
