@@ -2,6 +2,7 @@
 // words directly behind an M code are its own; the words of a G code are those that UnknownCodeSyntax removes.
 #include <string>
 
+#include <isogloss/cnc/block_skip.hpp>
 #include <isogloss/cnc/machine_codes.hpp>
 #include <isogloss/flow.hpp>
 
@@ -35,6 +36,7 @@ struct MachineCodeSyntax {
   ig::Signal unknown_code_{"Source.~UnknownCode", ig::write};
   ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
   ig::Flow flow_;
+  SkipLayers layers_;
 
   MachineCodeSyntax() {
     if (!machine_.holds_any()) ig::stay_idle();
@@ -49,7 +51,7 @@ struct MachineCodeSyntax {
     if (row == nullptr || !b.is_in_turn()) return position;
     if (calls_ == Calls::passed_on && arguments_of(*row) != CodeArguments::none) return position;
     const bool is_g = to_upper(text[position]) == 'G';
-    const std::size_t words_end = is_g ? block_end(text, position) : own_words_end(text, end);
+    const std::size_t words_end = is_g ? layers_.executed_end(text, position) : own_words_end(text, end);
     if (!flow_.is_indexing()) record_.add(b, *row, ig::Where::columns(position, end), piece(text, position, words_end));
     if (calls_ == Calls::here && !flow_.is_indexing())
       report_lost_arguments(b, *row, ig::Where::columns(position, end));

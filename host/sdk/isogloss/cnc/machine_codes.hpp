@@ -124,6 +124,10 @@ struct NumbersOfWords {
   std::optional<double> operator()(std::string_view name) const {
     std::optional<double> found;
     for (std::size_t i = 0; name.size() == 1 && i < text.size();) {
+      if (text[i] == '(' || text[i] == '[') {  // what a comment or an expression holds is no word
+        i = skip_bracketed(text, i);
+        continue;
+      }
       const bool is_wanted = to_upper(text[i]) == to_upper(name[0]);
       const ig::Decimal number = is_letter(text[i]) ? ig::read_decimal(text, skip_blanks(text, i + 1)) : ig::Decimal{};
       const bool is_word = number.ok && number.end > i + 1;
