@@ -18,9 +18,7 @@ using namespace ig::cnc;
 inline std::string program_name(std::string_view path) {
   const std::size_t slash = path.find_last_of("\\/:");
   const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
-  std::string name(file.substr(0, file.rfind('.')));
-  for (char& c : name) c = to_upper(c);
-  return name;
+  return in_capitals(file.substr(0, file.rfind('.')));
 }
 
 /// Calls the program after this block. Of a path only the name is used.

@@ -168,9 +168,7 @@ struct KlartextLabel {
     if (Values::text_parameter_at(text, i, q_end)) {
       end = q_end;
       const auto held = values_.text(b, text, i, end);
-      std::string name(held ? trim(*held) : std::string_view());
-      for (char& c : name) c = to_upper(c);
-      return name;
+      return in_capitals(held ? trim(*held) : std::string_view());
     }
     if (Values::q_at(text, i, q_end)) {
       const Value v = values_.read(b, text, i);

@@ -1,6 +1,5 @@
 #include "tables/named_tables.hpp"
 
-#include <algorithm>
 #include <charconv>
 
 #include <isogloss/cnc/scan.hpp>
@@ -11,9 +10,7 @@ using namespace ig::cnc;
 
 std::string table_name(std::string_view path) {
   const std::size_t folder = path.find_last_of("\\/:");
-  std::string out(folder == std::string_view::npos ? path : path.substr(folder + 1));
-  std::transform(out.begin(), out.end(), out.begin(), [](char c) { return to_upper(c); });
-  return out;
+  return in_capitals(folder == std::string_view::npos ? path : path.substr(folder + 1));
 }
 
 std::string_view without_ending(std::string_view name) { return name.substr(0, name.rfind('.')); }

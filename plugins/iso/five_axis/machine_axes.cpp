@@ -121,9 +121,7 @@ struct MachineAxes {
     each(std::string(row));
     for (std::string_view rest = trim(table.text(row, further_names)); !rest.empty(); rest = trim(rest)) {
       const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
-      std::string name(rest.substr(0, end));
-      for (char& c : name) c = to_upper(c);
-      each(name);
+      each(in_capitals(rest.substr(0, end)));
       rest.remove_prefix(end);
     }
   }
@@ -184,9 +182,7 @@ struct MachineAxes {
   // ---- isogloss.axis-name/1
 
   static std::int32_t find(void* self, ig_text name) {
-    std::string called(ig::to_view(name));
-    for (char& c : called) c = to_upper(c);
-    const auto axis = of(self).axis_of.find(called);
+    const auto axis = of(self).axis_of.find(in_capitals(ig::to_view(name)));
     return axis != of(self).axis_of.end() && of(self).exists(of(self).names[axis->second])
                ? static_cast<std::int32_t>(axis->second)
                : -1;

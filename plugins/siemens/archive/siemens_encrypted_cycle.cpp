@@ -35,8 +35,7 @@ struct SiemensEncryptedCycle {
   static constexpr std::string_view head = "%_N_";
 
   static bool ends_as_cycle(std::string_view name) {
-    std::string end(name.substr(name.size() - std::min<std::size_t>(name.size(), 4)));
-    std::transform(end.begin(), end.end(), end.begin(), [](char c) { return to_upper(c); });
+    const std::string end = in_capitals(name.substr(name.size() - std::min<std::size_t>(name.size(), 4)));
     return end == ".CPF" || end == "_CPF";
   }
   /// The name in a first line %_N_NAME_CPF.

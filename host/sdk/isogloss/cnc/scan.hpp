@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 #include "isogloss/sdk.hpp"
@@ -47,6 +48,11 @@ constexpr std::size_t block_end(std::string_view text, std::size_t position) {
   return std::min(line.find('\r', position), line.size());
 }
 
+/// Does the block end at the position? block_end() would look through the rest of a long line for it.
+constexpr bool is_block_end(std::string_view text, std::size_t position) {
+  return position >= text.size() || text[position] == '\n' || text[position] == '\r';
+}
+
 constexpr std::size_t skip_digits(std::string_view text, std::size_t position) {
   if (!std::is_constant_evaluated() && std::endian::native == std::endian::little) {
     std::uint64_t bytes;
@@ -79,6 +85,12 @@ constexpr bool equals_ignoring_case(std::string_view text, std::string_view uppe
   for (std::size_t i = 0; i < text.size(); ++i)
     if (to_upper(text[i]) != upper[i]) return false;
   return true;
+}
+
+inline std::string in_capitals(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = to_upper(c);
+  return out;
 }
 
 /// True when only tape marks, block skips, comments and the sequence number stand before the position.
