@@ -16,7 +16,8 @@ import tempfile
 BYTES = 400_000
 WORDS = ["N1 ", "G1 ", "M1 ", "G1 N1 ", "N1M5 ", "G1 M777 ", "G999 ", "X1 ", "X ", "F1 ", "T1 ", "O1 ", "M98 P1 ", "G65 P1 A1 ",
          "#1=#1+", "#1 ", "X[", "X(", "( )", "(* *)", "/ ", "; ", ": ", ",R1 ", "<A> ", '"A" ', "A:", "A=1 ", "R1=1 ", "1,", "_",
-         "*", "Q1=", "L X+1 ", "F MAX ", "LBL 1 ", "IF ", "#1:=1; ", "IF #1=1 THEN "]
+         "*", "Q1=", "L X+1 ", "F MAX ", "LBL 1 ", "IF ", "#1:=1; ", "IF #1=1 THEN ", "1 :", "<", ";", "ELSE ", "X1 #1;",
+         "REPEAT ", "CASE 1 OF ", 'MSG("', "ALARM(", "G200 ", "G67 ", "M99 "]
 DIALECTS = {"fanuc": "%\n", "haas": "%\n", "okuma": "%\n", "syntec": "%@MACRO\n", "siemens": "", "heidenhain": ""}
 
 

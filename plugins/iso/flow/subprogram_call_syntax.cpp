@@ -73,7 +73,8 @@ struct SubprogramCall {
 
   /// The name of M98 <PART>. A name that stands first in the block begins a program and is not read here.
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
-    const std::size_t end = skip_bracketed(text, position);
+    constexpr std::size_t longest = 256;  // of the name of a file, with its brackets
+    const std::size_t end = skip_bracketed(text.substr(0, std::min(text.size(), position + longest)), position);
     if (text[end - 1] != '>' || stands_first(text, position)) return position;
     b.set_text(file_name_, piece(text, position, end));
     return end;

@@ -144,7 +144,6 @@ std::size_t StatementCollector::add(std::string_view line, std::size_t position,
   offset_ = text_.size();
   text_.append(position, ' ');
   const std::string_view closing = closing_word(k);
-  const std::size_t line_end = block_end(line, position);
   const auto ends_at = [&](std::size_t end) {  // takes a ; that follows
     is_complete_ = true;
     const std::size_t next = skip_blanks(line, end);
@@ -158,28 +157,30 @@ std::size_t StatementCollector::add(std::string_view line, std::size_t position,
   }
   if (comment.is_open) {
     const std::size_t close = line.find("*)", i);
-    if (close == std::string_view::npos) return line_end;
+    if (close == std::string_view::npos) return block_end(line, i);
     comment.is_open = false;
     text_.append(close + 2 - i, ' ');
     i = close + 2;
   }
-  while (i < line_end) {
+  while (!is_block_end(line, i)) {
     const char c = line[i], next = at(line, i + 1);
     if (c == ';') {
       is_complete_ = true;
       return i + 1;
     }
-    if (c == '/' && next == '/') return line_end;
+    if (c == '/' && next == '/') return block_end(line, i);
     if (c == '(' && next == '*') {
       const std::size_t close = line.find("*)", i + 2);
       comment.is_open = close == std::string_view::npos;
-      const std::size_t end = comment.is_open ? line_end : close + 2;
+      const std::size_t end = comment.is_open ? block_end(line, i) : close + 2;
       text_.append(end - i, ' ');
       i = end;
       continue;
     }
     if (c == '"') {
-      const std::size_t end = std::min(line.find('"', i + 1), line_end - 1) + 1;
+      std::size_t end = i + 1;
+      while (!is_block_end(line, end) && line[end] != '"') ++end;
+      if (at(line, end) == '"') ++end;
       text_.append(piece(line, i, end));
       i = end;
       continue;
@@ -197,7 +198,7 @@ std::size_t StatementCollector::add(std::string_view line, std::size_t position,
     text_ += c;
     ++i;
   }
-  return line_end;
+  return i;
 }
 
 }  // namespace syntec

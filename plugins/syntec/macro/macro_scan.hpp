@@ -50,6 +50,12 @@ bool is_word(std::string_view text, std::size_t position, std::string_view word)
 /// The position of the word outside texts; the end of the text where it does not stand.
 std::size_t find_word(std::string_view text, std::size_t position, std::string_view word);
 
+/// The position of the ; that ends a block of words, or of the end of its line.
+constexpr std::size_t words_end(std::string_view text, std::size_t position) {
+  while (!ig::cnc::is_block_end(text, position) && text[position] != ';') ++position;
+  return position;
+}
+
 /// Skips blanks, block skips, comments (* *) and sequence numbers from `begin` on. What is returned is less than `end`
 /// where something else stands before it; it is more where one of them reaches beyond it.
 std::size_t skip_head(std::string_view text, std::size_t begin, std::size_t end);

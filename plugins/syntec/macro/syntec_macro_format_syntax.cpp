@@ -78,14 +78,15 @@ struct SyntecMacroFormat {
 
   static std::size_t end_of_block(ig::Block& b, std::string_view text, std::size_t position) {
     const std::size_t next = skip_blanks(text, position + 1);
-    const bool is_last = next >= block_end(text, next) || (text[next] == '/' && at(text, next + 1) == '/');
+    const bool is_last = is_block_end(text, next) || (text[next] == '/' && at(text, next + 1) == '/');
     if (!is_last) b.flow(IG_FLOW_SPLIT, position + 1);
     return position + 1;
   }
 
   static std::size_t stray_bracket(ig::Block& b, std::string_view text, std::size_t position) {
-    const std::size_t close = std::min(text.find(')', position), text.size());
-    const std::size_t end = std::min({close + 1, block_end(text, position), text.find(';', position)});
+    std::size_t end = position;
+    while (!is_block_end(text, end) && text[end] != ';' && text[end] != ')') ++end;
+    if (at(text, end) == ')') ++end;
     b.report(ig::diag("SYN-0054"), ig::Where::columns(position, end), piece(text, position, end));
     return end;
   }

@@ -92,7 +92,7 @@ struct SyntecMacroStatement {
       is_done_ = true;
       b.raise(statement_);
       const std::size_t next = skip_blanks(text, end);
-      const bool is_last = next >= block_end(text, next) || (text[next] == '/' && at(text, next + 1) == '/');
+      const bool is_last = is_block_end(text, next) || (text[next] == '/' && at(text, next + 1) == '/');
       if (!is_last) b.flow(IG_FLOW_SPLIT, end);
     } else if (statement.text().size() > longest) {
       scan_->end_program(b, ig::to_view(execution_.environment.flow.frame(b).file));
@@ -154,7 +154,7 @@ struct SyntecMacroStatement {
   /// A variable behind other words is no value of one of them.
   std::size_t later(ig::Block& b, std::string_view text, std::size_t position) const {
     if (text[position] != '#' && text[position] != '@') return position;
-    const std::size_t end = std::min(text.find(';', position), block_end(text, position));
+    const std::size_t end = words_end(text, position);
     b.report(ig::diag("SYN-0051"), ig::Where::columns(position, end), trim(piece(text, position, end)));
     return end;
   }

@@ -66,10 +66,10 @@ struct SyntecMacroWord {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (!format_.is_macro(b) || !b.is_in_turn()) return position;
-    if (environment_.flow.is_indexing()) return std::min(text.find(';', position), block_end(text, position));
+    if (environment_.flow.is_indexing()) return words_end(text, position);
     // Behind a byte that begins no block, such as NUL, nobody has looked at the words.
     if (!b.is_raised(words_) || scan_->words.size() <= position) {
-      scan_->begin_words(text.substr(0, std::min(text.find(';', position), block_end(text, position))));
+      scan_->begin_words(text.substr(0, words_end(text, position)));
       b.raise(words_);
     }
     const std::string_view words = scan_->words;
