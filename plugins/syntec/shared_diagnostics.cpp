@@ -52,7 +52,7 @@ const ig::Diagnostics shared_diagnostics{
                    "No value was assigned, or the call has no such argument. VACANT equals #0 alone, and not 0.",
                    "#1 := #2 + 1;"),
     ig::diagnostic(IG_ERROR, "SYN-0033", "'{0}' is too large: the statement or word is not executed",
-                   "Integers have 32 bits, up to 2147483647. Write a decimal point for larger numbers.",
+                   "Integers have 32 bits, from -2147483648 to 2147483647. Write a decimal point for larger numbers.",
                    "#1 := 100000 * 100000;"),
     ig::diagnostic(IG_ERROR, "SYN-0034",
                    "the value of parameter {0} is not known here: give it one with a row of SyntecParameterTable",

@@ -65,14 +65,30 @@ bool MacroEnvironment::is_writable(const MacroStore::Variable& v) {
   return v.area != Area::number || is_of_program(v.number) || v.number == 1502 || v.number == 1504 || v.number == 1510;
 }
 
+bool MacroEnvironment::has_room(const MacroStore::Variable& first, std::size_t count) {
+  MacroStore::Variable v = first;
+  for (std::size_t i = 1; i < count; ++i) {
+    ++v.number;
+    if (v.area == Area::reg && v.number > last_register) return false;
+    if (v.area == Area::number && !is_writable(v)) return false;
+    if (v.area != Area::at) continue;
+    const auto next = at_variable(v.number);
+    if (!next || next->area != Area::at) return false;
+  }
+  return true;
+}
+
 bool MacroEnvironment::write(ig::Block& b, const MacroStore::Variable& v, MacroValue value, ig::Where where) const {
   if (!is_writable(v)) {
     b.report(ig::diag("SYN-0040"), where, name_of(v));
     return false;
   }
-  const bool is_whole = v.area == Area::reg || (v.area == Area::number && within(v.number, 1080, 1099));
-  if (is_whole && value.is_number()) {
+  if (holds_integers(v) && value.is_number()) {
     const double whole = std::trunc(value.number);
+    if (!is_of_32_bits(whole)) {
+      b.report(ig::diag("SYN-0033"), where, value.number);
+      return false;
+    }
     if (whole != value.number) b.report(ig::diag("SYN-0056"), where, name_of(v), value.number, whole);
     value = MacroValue::whole(whole);
   }
@@ -128,7 +144,7 @@ std::optional<MacroValue> MacroEnvironment::system(const ig::Block& b, std::uint
     return MacroValue::real(b.is(unit_, inch_) ? position.value[axis] / mm_per_inch : position.value[axis]);
   }
   if (is_parameter(n))
-    if (const auto value = parameter(n)) return MacroValue::whole(*value);
+    if (const auto value = parameter(n)) return MacroValue::of_number(*value);
   return std::nullopt;
 }
 

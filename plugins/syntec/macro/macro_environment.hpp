@@ -46,6 +46,8 @@ class MacroEnvironment {
   std::optional<MacroValue> read(ig::Block& b, const MacroStore::Variable& v, ig::Where where) const;
   /// False, and said, where the variable cannot be written.
   bool write(ig::Block& b, const MacroStore::Variable& v, MacroValue value, ig::Where where) const;
+  /// Are there so many variables from the first one on, in one range, that may be written if that one may?
+  static bool has_room(const MacroStore::Variable& first, std::size_t count);
   std::optional<double> parameter(double number) const;
 
   /// #1600: the least input unit of lengths, in the unit of the program.

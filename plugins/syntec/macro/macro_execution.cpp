@@ -101,14 +101,19 @@ void MacroExecution::assign(ig::Block& b, const Statement& s) {
   if (!std::isnan(shown_value)) b.set(value_, shown_value);
 }
 
-/// Common variables hold four characters each, the first one in the lowest byte.
+/// Common variables hold four characters each, the first one in the lowest byte; a zero ends the text.
 bool MacroExecution::assign_text(ig::Block& b, const MacroStore::Variable& v, std::string_view text, ig::Where where) {
+  const std::size_t count = text.size() / 4 + 1;
+  if (!MacroEnvironment::has_room(v, count)) {
+    b.report(ig::diag("SYN-0081"), where, static_cast<double>(count), name_of(v));
+    return false;
+  }
   MacroStore::Variable at_part = v;
   for (std::size_t i = 0;; i += 4, ++at_part.number) {
     std::uint32_t packed = 0;
     for (std::size_t k = i; k < std::min(i + 4, text.size()); ++k)
       packed |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])) << (8 * (k - i));
-    if (!environment.write(b, at_part, MacroValue::whole(static_cast<double>(packed)), where)) return false;
+    if (!environment.write(b, at_part, MacroValue::whole(static_cast<std::int32_t>(packed)), where)) return false;
     if (i + 4 > text.size()) return true;
   }
 }
@@ -122,8 +127,7 @@ bool MacroExecution::is_first(std::string_view name) {
 void MacroExecution::call(ig::Block& b, const Statement& s) {
   const std::string_view text = s.text.text;
   const std::size_t behind = s.behind_word();
-  std::string name(piece(text, s.begin, behind));
-  for (char& c : name) c = to_upper(c);
+  const std::string name = in_capitals(piece(text, s.begin, behind));
   const bool is_call = at(text, skip_blanks(text, behind)) == '(';
   const bool is_known = is_call && (is_one_of(name, without_effect) || is_one_of(name, of_machine) || name == "ALARM" ||
                                     name == "MSG" || name == "PUSH" || name == "POP");
@@ -139,6 +143,7 @@ void MacroExecution::call(ig::Block& b, const Statement& s) {
     if (environment.store().stack.size() >= most) return b.report(ig::diag("SYN-0029"), s.where(), written(s));
     environment.store().stack.push_back(given->front());
   } else if (name == "POP") {
+    if (!given->empty()) return b.report(ig::diag("SYN-0021"), s.text.from(behind), trim(text.substr(behind, 60)));
     if (environment.store().stack.empty()) return b.report(ig::diag("SYN-0029"), s.where(), written(s));
     environment.store().stack.pop_back();
   } else if (is_one_of(name, of_machine) && is_first(name)) {
@@ -148,13 +153,14 @@ void MacroExecution::call(ig::Block& b, const Statement& s) {
 
 void MacroExecution::alarm(ig::Block& b, const Statement& s, const std::vector<MacroValue>& given) {
   if (given.empty() || given.size() > 2 || !given[0].is_number()) return incomplete(b, s, "the number");
+  const std::string text = given.size() > 1 ? shown(given[1]) : std::string();
   b.report(ig::diag("SYN-0047"), s.where(), given[0].number,
-           std::string_view(given.size() > 1 ? given[1].text : std::string_view("the macro stops the program")));
+           text.empty() ? std::string_view("the macro stops the program") : std::string_view(text));
   b.alarm();
 }
 
 void MacroExecution::message(ig::Block& b, const Statement& s, const std::vector<MacroValue>& given) const {
-  if (given.empty() || given.size() > 2) return incomplete(b, s, "the number or the text");
+  if (given.empty() || given.size() > 2 || given.back().is_vacant()) return incomplete(b, s, "the number or the text");
   const std::string text = given.back().is_text() ? given.back().text : "message " + shown(given.back());
   b.report(ig::diag("SYN-0048"), s.where(), std::string_view(text));
 }

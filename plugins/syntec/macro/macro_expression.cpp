@@ -10,6 +10,7 @@ using ig::cnc::at;
 using ig::cnc::is_digit;
 using ig::cnc::is_letter;
 using ig::cnc::skip_blanks;
+using ig::cnc::to_upper;
 
 std::nullopt_t MacroExpression::fail(ig::DiagnosticCode code, std::size_t begin, std::size_t end) {
   block_.report(code, text_.where(begin, end), piece(begin, end));
@@ -130,15 +131,16 @@ std::optional<MacroValue> MacroExpression::unary() {
     const auto number = whole_operand(*inner, "NOT", begin);
     if (!number) return std::nullopt;
     const double complement = -*number - 1;
-    return MacroValue::whole(is_negative ? -complement : complement);
+    return whole_of(is_negative ? -complement : complement, begin);
   }
+  // The sign belongs to a number: -2147483648 is an integer, 2147483648 is none.
+  const bool is_decimal = (is_digit(here()) && to_upper(at(text, begin + 1)) != 'X') || here() == '.';
+  if (is_decimal) return literal(is_negative);
   auto out = primary();
-  if (!out || !is_negative) return out;
-  if (out->is_vacant()) return out;
+  if (!out || !is_negative || out->is_vacant()) return out;
   const auto number = operand(*out, begin);
   if (!number) return std::nullopt;
-  out->number = -*number;
-  return out;
+  return out->is_whole() ? whole_of(-*number, begin) : std::optional(MacroValue::real(0.0 - *number));
 }
 
 std::optional<MacroValue> MacroExpression::primary() {
@@ -155,7 +157,7 @@ std::optional<MacroValue> MacroExpression::primary() {
     const auto v = variable();
     if (!v) return std::nullopt;
     auto out = environment_.read(block_, *v, text_.where(begin, position_));
-    if (out && out->is_vacant()) vacant_ = piece(begin, position_);
+    if (out && out->is_vacant()) out->text = piece(begin, position_);
     return out;
   }
   if (c == '"') {
@@ -165,33 +167,34 @@ std::optional<MacroValue> MacroExpression::primary() {
     if (close - begin > longest_text) return fail(ig::diag("SYN-0033"), begin, position_);
     return MacroValue::of_text(std::string(text_.text.substr(begin + 1, close - begin - 1)));
   }
-  if (is_digit(c) || c == '.') return literal();
+  if (is_digit(c)) return hexadecimal();
   if (is_letter(c)) return named();
   return fail_here();
 }
 
-std::optional<MacroValue> MacroExpression::literal() {
+std::optional<MacroValue> MacroExpression::literal(bool is_negative) {
   const std::size_t begin = position_;
-  if (here() == '0' && ig::cnc::to_upper(at(text_.text, position_ + 1)) == 'X') return hexadecimal();
   const ig::Decimal d = ig::read_decimal(text_.text, position_);
   if (!d.ok) return fail_here();
   position_ = d.end;
-  if (d.has_point) return MacroValue::real(d.value);
-  return whole_of(d.value, begin);
+  const double value = is_negative ? 0.0 - d.value : d.value;
+  return d.has_point ? std::optional(MacroValue::real(value)) : whole_of(value, begin);
 }
 
 std::optional<MacroValue> MacroExpression::hexadecimal() {
   const std::size_t begin = position_;
+  if (here() != '0') return fail_here();
   std::uint32_t bits = 0;
   const char* const first = text_.text.data() + position_ + 2;
   const auto [end, error] = std::from_chars(first, text_.text.data() + text_.text.size(), bits, 16);
-  if (end == first || error != std::errc{}) return fail(ig::diag("SYN-0021"), begin, text_.text.size());
+  if (end == first) return fail(ig::diag("SYN-0021"), begin, text_.text.size());
   position_ = static_cast<std::size_t>(end - text_.text.data());
+  if (error != std::errc{}) return fail(ig::diag("SYN-0033"), begin, position_);
   return MacroValue::whole(static_cast<double>(static_cast<std::int32_t>(bits)));
 }
 
 std::optional<MacroValue> MacroExpression::whole_of(double number, std::size_t begin) {
-  if (!(std::abs(number) <= largest_whole + 1)) return fail(ig::diag("SYN-0033"), begin, position_);
+  if (!is_of_32_bits(number)) return fail(ig::diag("SYN-0033"), begin, position_);
   return MacroValue::whole(number + 0.0);
 }
 
@@ -228,7 +231,7 @@ std::optional<double> MacroExpression::operand(const MacroValue& value, std::siz
   if (value.is_number()) return value.number;
   if (value.is_text()) return fail(ig::diag("SYN-0031"), begin, position_);
   block_.report(ig::diag("SYN-0032"), text_.where(begin, position_),
-                vacant_.empty() ? piece(begin, position_) : vacant_);
+                value.text.empty() ? piece(begin, position_) : std::string_view(value.text));
   return 0.0;
 }
 

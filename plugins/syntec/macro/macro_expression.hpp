@@ -55,7 +55,7 @@ class MacroExpression {
   std::optional<MacroValue> binary(int weakest);
   std::optional<MacroValue> unary();
   std::optional<MacroValue> primary();
-  std::optional<MacroValue> literal();
+  std::optional<MacroValue> literal(bool is_negative);
   std::optional<MacroValue> hexadecimal();
   std::optional<MacroValue> named();
   std::optional<MacroValue> call(std::string_view name, std::size_t begin);
@@ -65,7 +65,7 @@ class MacroExpression {
                                          bool& is_known);
   std::optional<MacroValue> of_control(std::string_view name, const std::vector<MacroValue>& given, std::size_t begin,
                                        bool& is_known);
-  std::optional<MacroValue> standard(const MacroValue& value, double unit);
+  std::optional<MacroValue> standard(const MacroValue& value, double unit, std::size_t begin);
   std::optional<MacroValue> whole_of(double number, std::size_t begin);
 
   Operator next_operator(std::size_t& behind) const;
@@ -89,7 +89,6 @@ class MacroExpression {
   const MacroText& text_;
   std::size_t position_;
   int depth_ = 0;
-  std::string_view vacant_{};  ///< the variable or function that gave no value last
 };
 
 /// More than any program has; a run of a faulty one must not fill the memory.

@@ -155,6 +155,10 @@ void MacroExecution::begin_for(ig::Block& b, const Statement& s, int level, Arri
       value = now;
       value->number += step->number;
       if (step->kind == MacroValue::Kind::real) value->kind = MacroValue::Kind::real;
+      if (value->is_whole() && !is_of_32_bits(value->number)) {
+        b.report(ig::diag("SYN-0033"), where, name_of(*v));
+        value.reset();
+      }
     } else if (now) {
       b.report(ig::diag("SYN-0031"), where, name_of(*v));
     }

@@ -9,7 +9,6 @@ namespace syntec {
 
 using ig::cnc::is_digit;
 using ig::cnc::is_letter;
-using ig::cnc::to_upper;
 
 namespace {
 
@@ -20,12 +19,6 @@ double sine(double degrees) {
   if (turn == 90 || turn == -270) return 1;
   if (turn == 270 || turn == -90) return -1;
   return std::sin(turn * ig::cnc::radians_per_degree);
-}
-
-std::string upper_name(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = to_upper(c);
-  return out;
 }
 
 /// What only the machine knows, or what gives it orders and answers.
@@ -74,7 +67,7 @@ std::optional<MacroValue> MacroExpression::named() {
   const std::size_t begin = position_;
   const auto is_part = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
   position_ = ig::cnc::skip_name_of(text_.text, begin, is_part);
-  const std::string name = upper_name(text_.text.substr(begin, position_ - begin));
+  const std::string name = ig::cnc::in_capitals(text_.text.substr(begin, position_ - begin));
   skip();
   if (name == "STKTOP" && here() == '[') {
     ++position_;
@@ -125,7 +118,7 @@ std::optional<MacroValue> MacroExpression::of_argument(std::string_view name, st
   skip();
   const std::size_t first = position_;
   position_ = ig::cnc::skip_name_of(text_.text, first, [](char c) { return is_letter(c) || is_digit(c); });
-  const std::string argument = upper_name(text_.text.substr(first, position_ - first));
+  const std::string argument = ig::cnc::in_capitals(text_.text.substr(first, position_ - first));
   const bool is_name =
       !argument.empty() && is_letter(argument[0]) && ig::cnc::skip_digits(argument, 1) == argument.size();
   if (!is_name || !accept(')')) return fail(ig::diag("SYN-0021"), first, text_.text.size());
@@ -136,20 +129,25 @@ std::optional<MacroValue> MacroExpression::of_argument(std::string_view name, st
   }
   if (name == "STDAX") {
     const bool is_angle = std::string_view("ABC").find(argument[0]) != std::string_view::npos;
-    return standard(*value, is_angle ? environment_.angle_unit() : environment_.length_unit(block_));
+    return standard(*value, is_angle ? environment_.angle_unit() : environment_.length_unit(block_), begin);
   }
   MacroStore::Level& level = environment_.store().level();
   environment_.note_letter(argument.size() == 1 ? variable_of_letter(argument[0]) : 0);
   const MacroValue* const found = (name == "GETARG" ? level.arguments : level.trap).find(argument);
-  if (found == nullptr || found->is_vacant()) vacant_ = piece(begin, position_);
-  return found != nullptr ? *found : MacroValue();
+  MacroValue out = found != nullptr ? *found : MacroValue();
+  if (out.is_vacant()) out.text = piece(begin, position_);
+  return out;
 }
 
 /// An integer counts the unit, unless Pr3241 reads integers as lengths.
-std::optional<MacroValue> MacroExpression::standard(const MacroValue& value, double unit) {
+std::optional<MacroValue> MacroExpression::standard(const MacroValue& value, double unit, std::size_t begin) {
+  if (value.is_text()) return fail(ig::diag("SYN-0031"), begin, position_);
   if (!value.is_whole()) return value;
   if (environment_.whole_numbers_are_mm()) return MacroValue::real(value.number);
-  return MacroValue::real(value.number / std::round(1 / unit));
+  // 5 / 1000 is the double of 0.005, 5 * 0.001 is not.
+  const double parts = std::round(1 / unit);
+  const bool is_part = parts <= largest_whole && std::abs(parts * unit - 1) < 1e-9;
+  return MacroValue::real(is_part ? value.number / parts : value.number * unit);
 }
 
 std::optional<MacroValue> MacroExpression::call(std::string_view name, std::size_t begin) {
@@ -193,7 +191,10 @@ std::optional<MacroValue> MacroExpression::mathematical(std::string_view name, c
   const double x = *first, y = *second;
   const auto outside = [&] { return fail(ig::diag("SYN-0029"), begin, position_); };
   double out = 0;
-  if (name == "MAX" || name == "MIN") return (name == "MAX") == (x >= y) ? given[0] : given[1];
+  if (name == "MAX" || name == "MIN") {
+    const MacroValue& chosen = (name == "MAX") == (x >= y) ? given[0] : given[1];
+    return chosen.is_vacant() ? MacroValue::whole(0) : chosen;
+  }
   if (name == "SIGN") return MacroValue::whole(x > 0 ? 1 : x < 0 ? -1 : 0);
   if (name == "ROUND") return whole_of(std::round(x), begin);
   if (name == "CEIL") return whole_of(std::ceil(x), begin);
@@ -238,18 +239,18 @@ std::optional<MacroValue> MacroExpression::of_control(std::string_view name, con
   const auto unknown = [&] { return fail(ig::diag("SYN-0027"), begin, position_); };
   if (name == "STD") {
     if (given.empty() || given.size() > 2) return wrong();
-    if (given.size() == 1) return standard(given[0], environment_.length_unit(block_));
+    if (given.size() == 1) return standard(given[0], environment_.length_unit(block_), begin);
     const auto unit = operand(given[1], begin);
     if (!unit) return std::nullopt;
     if (!(*unit > 0 && *unit <= 1)) return fail(ig::diag("SYN-0029"), begin, position_);
-    return standard(given[0], *unit);
+    return standard(given[0], *unit, begin);
   }
   if (name == "PARAM") {
     if (given.size() != 1) return given.size() == 2 ? unknown() : wrong();
     const auto number = whole_operand(given[0], "PARAM", begin);
     if (!number) return std::nullopt;
     const auto value = environment_.parameter(*number);
-    if (value) return MacroValue::whole(*value);
+    if (value) return MacroValue::of_number(*value);
     block_.report(ig::diag("SYN-0034"), text_.where(begin, position_), *number);
     return std::nullopt;
   }

@@ -59,7 +59,7 @@ class BlockArguments {
       const bool has_place = b.word(by_letter_[i], word) && word.end <= b.source().size();
       const bool has_point =
           has_place && ig::cnc::piece(b.source(), word.begin, word.end).find('.') != std::string::npos;
-      out.letters[i] = has_point ? MacroValue::real(value.number) : MacroValue::whole(value.number);
+      out.letters[i] = has_point ? MacroValue::real(value.number) : MacroValue::of_number(value.number);
     }
     return out;
   }

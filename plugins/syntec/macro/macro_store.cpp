@@ -154,6 +154,11 @@ std::optional<MacroStore::Variable> at_variable(double number) {
   return std::nullopt;
 }
 
+bool holds_integers(const MacroStore::Variable& v) {
+  return v.area == MacroStore::Area::reg ||
+         (v.area == MacroStore::Area::number && v.number >= 1080 && v.number <= 1099);
+}
+
 std::optional<MacroStore::Variable> hash_variable(double number) {
   if (!(number >= 0 && number <= 31986) || number != std::floor(number)) return std::nullopt;
   const auto n = static_cast<std::uint32_t>(number);

@@ -138,6 +138,8 @@ std::string name_of(const MacroStore::Variable& v);
 /// @401 to @655, @10000 to @14095 and from @100000 on are registers of the PLC.
 std::optional<MacroStore::Variable> at_variable(double number);
 std::optional<MacroStore::Variable> hash_variable(double number);
+/// Registers of the PLC, and #1080 to #1099.
+bool holds_integers(const MacroStore::Variable& v);
 
 /// A member of each syntax that uses the store; a store of its own where the dialect has no SyntecVariables.
 class StoreMember {

@@ -34,6 +34,9 @@ struct SyntecMacroStatement {
           IG_ERROR, "SYN-0052",
           "line {0} has no ; at its end: the control reads it and this line as one block, here they are two"),
       ig::diagnostic(IG_ERROR, "SYN-0055", "the loop is skipped: with BY 0 it would never end"),
+      ig::diagnostic(
+          IG_ERROR, "SYN-0081",
+          "nothing is assigned: the text takes {0} variables from {1} on, beyond the last one of their range"),
       ig::diagnostic(IG_ERROR, "SYN-0058", "'{0}' is not a sequence number: the jump is not executed"),
   };
 

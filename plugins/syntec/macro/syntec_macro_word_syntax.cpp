@@ -99,7 +99,6 @@ struct SyntecMacroWord {
     MacroValue value{};
     std::size_t end = 0;
     bool is_known = false;
-    bool is_plain = false;
   };
 
   /// The value at the position, and where it ends. What has no value is reported.
@@ -110,11 +109,13 @@ struct SyntecMacroWord {
       b.report(ig::diag("SYN-0063"), ig::Where::columns(begin, first), trim(piece(words, begin, words.size())));
       return {.end = words.size()};
     }
-    if (const ig::Decimal d = ig::read_decimal(words, first); d.ok && !goes_on(words, d.end))
-      return {d.has_point ? MacroValue::real(d.value + 0.0) : MacroValue::whole(d.value + 0.0), d.end, true, true};
-    const char c = words[first];
-    if (std::string_view("#@(\"+-.").find(c) == std::string_view::npos && !is_digit(c) &&
-        !(is_letter(c) && at(words, name_end(words, first)) == '(')) {
+    if (const ig::Decimal d = ig::read_decimal(words, first); d.ok && !goes_on(words, d.end)) {
+      if (d.has_point || is_of_32_bits(d.value))
+        return {d.has_point ? MacroValue::real(d.value + 0.0) : MacroValue::whole(d.value + 0.0), d.end, true};
+      b.report(ig::diag("SYN-0033"), ig::Where::columns(begin, d.end), trim(piece(words, begin, d.end)));
+      return {.end = d.end};
+    }
+    if (!begins_value(words, first)) {
       b.report(ig::diag("SYN-0063"), ig::Where::columns(begin, first), trim(piece(words, begin, first)));
       return {.end = first};
     }
@@ -122,7 +123,13 @@ struct SyntecMacroWord {
     auto value = e.word();
     // What is left of a value that could not be read is no word of its own.
     if (!value) return {.end = std::max(rest_of_value(words, first), e.position())};
-    return {std::move(*value), e.position(), true, false};
+    return {std::move(*value), e.position(), true};
+  }
+
+  static bool begins_value(std::string_view words, std::size_t position) {
+    const char c = at(words, position);
+    if (is_letter(c)) return at(words, name_end(words, position)) == '(';
+    return is_digit(c) || std::string_view("#@(\"+-.").find(c) != std::string_view::npos;
   }
 
   static bool goes_on(std::string_view words, std::size_t end) {
@@ -175,8 +182,7 @@ struct SyntecMacroWord {
                     std::size_t position) {
     const Read r = read(b, words, position, begin);
     if (!r.is_known || r.value.is_vacant()) return r.end;
-    std::string name(piece(words, begin, name_end));
-    for (char& c : name) c = to_upper(c);
+    const std::string name = in_capitals(piece(words, begin, name_end));
     const auto axis = axes_.find(name);
     if (r.value.is_text()) {
       b.report(ig::diag("SYN-0062"), ig::Where::columns(begin, r.end), piece(words, begin, r.end),
@@ -201,7 +207,8 @@ struct SyntecMacroWord {
   std::size_t corner(ig::Block& b, std::string_view words, std::size_t position) {
     const std::size_t letter = skip_blanks(words, position + 1), value = skip_blanks(words, letter + 1);
     const char name = to_upper(at(words, letter));
-    if ((name != 'C' && name != 'R') || std::string_view("#@(").find(at(words, value)) == std::string_view::npos)
+    const ig::Decimal d = value < words.size() ? ig::read_decimal(words, value) : ig::Decimal{.end = value};
+    if ((name != 'C' && name != 'R') || (d.ok && !goes_on(words, d.end)) || !begins_value(words, value))
       return position;
     const Read r = read(b, words, value, position);
     if (r.is_known && r.value.is_number())
@@ -241,7 +248,7 @@ struct SyntecMacroWord {
 
   void code(ig::Block& b, const std::string& name, double number, std::ptrdiff_t decimals, std::size_t begin,
             std::size_t end) {
-    if (name[0] == 'M') scan_->arguments.letters[letter_index('M')] = MacroValue::whole(number);
+    if (name[0] == 'M') scan_->arguments.letters[letter_index('M')] = MacroValue::of_number(number);
     if (name == "G65" || name == "G66" || name == "G66.1") {
       scan_->calls.push_back({name, {}, begin, end});
       return b.raise(call_);

@@ -33,8 +33,11 @@ struct SyntecVariables final : MacroStore::Keeper {
         throw std::runtime_error("a Variable has the name '" + name +
                                  "': it is @1, R100 or #1100, and no local variable (#1 to #400)");
       if (!given) continue;
+      if (holds_integers(*variable) && !is_of_32_bits(*given))
+        throw std::runtime_error("the Variable '" + name +
+                                 "' holds an integer of 32 bits, and its Value is another number");
       if (variable->area == MacroStore::Area::reg || variable->area == MacroStore::Area::number)
-        store.write(*variable, *given == std::floor(*given) ? MacroValue::whole(*given) : MacroValue::real(*given));
+        store.write(*variable, MacroValue::of_number(*given));
       else
         store.write(*variable, MacroValue::real(*given));
     }
