@@ -29,6 +29,12 @@ void MacroEnvironment::enter(const ig::Block& b) const {
     if (!below) break;
     at = *below;
   }
+  if (at.depth > 0 && store_->is_foreign(at.tag)) {
+    std::vector<ig_frame> callers;
+    for (std::uint32_t level = 0; level < at.depth; ++level)
+      if (const auto caller = flow.frame(b, level)) callers.push_back(*caller);
+    store_->enter_foreign(callers, at.call_line);
+  }
   store_->select(at.depth == 0 ? 0 : at.tag, at.depth == 0 ? 1 : at.pass);
 }
 

@@ -8,9 +8,8 @@ namespace syntec {
 
 const MacroValue* Arguments::find(std::string_view name) const {
   if (name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z') return &letters[static_cast<std::size_t>(name[0] - 'A')];
-  for (const auto& [known, value] : named)
-    if (known == name) return &value;
-  return nullptr;
+  const auto found = named.find(name);
+  return found != named.end() ? &found->second : nullptr;
 }
 
 void Arguments::set(std::string_view name, MacroValue value) {
@@ -18,12 +17,7 @@ void Arguments::set(std::string_view name, MacroValue value) {
     letters[static_cast<std::size_t>(name[0] - 'A')] = std::move(value);
     return;
   }
-  for (auto& [known, before] : named)
-    if (known == name) {
-      before = std::move(value);
-      return;
-    }
-  named.emplace_back(std::string(name), std::move(value));
+  named.insert_or_assign(std::string(name), std::move(value));
 }
 
 const MacroValue& MacroStore::read(const Variable& v) const {
@@ -60,8 +54,15 @@ MacroStore::Level MacroStore::make(std::uint64_t tag, Arguments arguments, Calle
   return level;
 }
 
+/// What G66 keeps ends with the program in which it stands.
+void MacroStore::drop_modals(Level& level) {
+  for (const ModalCall& call : level.modal) drop_modal(call.tag);
+  level.modal.clear();
+}
+
 void MacroStore::leave_last() {
   while (levels_.size() > present_ + 1) {
+    drop_modals(levels_.back());
     if (levels_.back().keeps_locals) parked_.push_back(std::move(levels_.back()));
     levels_.pop_back();
   }
@@ -93,17 +94,41 @@ void MacroStore::drop_modal(std::uint64_t tag) {
   std::erase_if(parked_, [&](const Level& level) { return level.tag == tag; });
 }
 
-void MacroStore::offer(Arguments arguments, bool is_modal) {
+void MacroStore::offer(Arguments arguments, std::uint64_t frame, std::uint32_t line) {
   frame_ = no_frame;
-  if (is_modal) {
-    std::erase_if(parked_, [](const Level& level) { return level.is_offered; });
-    enter_modal(std::move(arguments));
-    parked_.back().is_offered = true;
-    has_offer_ = false;
-  } else {
-    offered_ = std::move(arguments);
-    has_offer_ = true;
-  }
+  offer_ = {std::move(arguments), frame, line};
+}
+
+void MacroStore::offer_modal(Arguments arguments, std::uint64_t frame) {
+  frame_ = no_frame;
+  enter_modal(std::move(arguments));
+  parked_.back().is_offered = true;
+  parked_.back().offered_in = frame;
+}
+
+void MacroStore::end_offer() {
+  const auto last = std::find_if(parked_.rbegin(), parked_.rend(), [](const Level& level) { return level.is_offered; });
+  if (last != parked_.rend()) parked_.erase(std::next(last).base());
+}
+
+bool MacroStore::is_foreign(std::uint64_t tag) const {
+  return tag != 0 && (tag & own_call) == 0 &&
+         std::none_of(levels_.begin(), levels_.end(), [&](const Level& level) { return level.tag == tag; });
+}
+
+void MacroStore::enter_foreign(std::span<const ig_frame> callers, std::uint32_t call_line) {
+  const auto is_called = [&](const Level& level) {
+    return std::any_of(callers.begin(), callers.end(), [&](const ig_frame& f) { return f.tag == level.tag; });
+  };
+  while (present_ > 0 && !is_called(levels_[present_])) --present_;
+  leave_last();
+  const bool is_of_block =
+      !callers.empty() && offer_.line != 0 && offer_.frame == callers.back().id && offer_.line == call_line;
+  if (!is_of_block) offer_ = {};
+  std::erase_if(parked_, [&](const Level& level) {
+    return level.is_offered &&
+           std::none_of(callers.begin(), callers.end(), [&](const ig_frame& f) { return f.id == level.offered_in; });
+  });
 }
 
 void MacroStore::select(std::uint64_t tag, std::uint32_t pass) {
@@ -116,17 +141,15 @@ void MacroStore::select(std::uint64_t tag, std::uint32_t pass) {
       present_ = below;
     } else {
       leave_last();
-      const bool is_foreign = (tag & own_call) == 0;
-      const auto parked = std::find_if(parked_.begin(), parked_.end(), [&](const Level& l) {
-        return l.tag == tag || (is_foreign && !has_offer_ && l.is_offered);
-      });
-      if (parked != parked_.end()) {
+      const bool is_modal = (tag & own_call) == 0 && offer_.line == 0;
+      const auto parked = std::find_if(parked_.rbegin(), parked_.rend(),
+                                       [&](const Level& l) { return l.tag == tag || (is_modal && l.is_offered); });
+      if (parked != parked_.rend()) {
         levels_.push_back(std::move(*parked));
         levels_.back().tag = tag;
-        parked_.erase(parked);
+        parked_.erase(std::next(parked).base());
       } else {
-        levels_.push_back(make(tag, std::exchange(offered_, {}), Caller::program));
-        has_offer_ = false;
+        levels_.push_back(make(tag, std::exchange(offer_, {}).arguments, Caller::program));
       }
       ++present_;
     }
@@ -135,6 +158,7 @@ void MacroStore::select(std::uint64_t tag, std::uint32_t pass) {
   Level& level = levels_[present_];
   if (level.pass != pass && tag != 0) {
     level.pass = pass;
+    drop_modals(level);
     if (!level.keeps_locals) fill(level);
   }
 }

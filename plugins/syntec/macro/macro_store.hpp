@@ -4,12 +4,15 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include <isogloss/flow.hpp>
 #include <isogloss/sdk.hpp>
 
 #include "macro/macro_value.hpp"
@@ -33,7 +36,7 @@ constexpr std::uint32_t variable_of_letter(char letter) {
 /// The arguments of a call: by letter, and by names such as X1, which GETARG alone reads.
 struct Arguments {
   std::array<MacroValue, 26> letters{};
-  std::vector<std::pair<std::string, MacroValue>> named{};
+  std::map<std::string, MacroValue, std::less<>> named{};
 
   const MacroValue* find(std::string_view name) const;
   void set(std::string_view name, MacroValue value);
@@ -71,9 +74,10 @@ class MacroStore {
     std::uint64_t tag = 0;
     std::uint32_t pass = 1;
     Caller caller = Caller::program;
-    bool is_of_code = false;    ///< a code has called this program itself
-    bool keeps_locals = false;  ///< of a modal call: its variables live until G67
-    bool is_offered = false;    ///< of a modal call by another plugin, which gives each call a tag of its own
+    bool is_of_code = false;       ///< a code has called this program itself
+    bool keeps_locals = false;     ///< of a modal call: its variables live until G67
+    bool is_offered = false;       ///< of a modal call by another plugin, which gives each call a tag of its own
+    std::uint64_t offered_in = 0;  ///< the frame whose block offered it
     std::vector<MacroValue> values = std::vector<MacroValue>(last_local + 1);
     Arguments arguments{}, trap{};
     std::uint32_t read_letters = 0;
@@ -101,17 +105,23 @@ class MacroStore {
     pass_ = pass;
     return true;
   }
-  /// Makes the level of this tag the present one; a new pass begins with its arguments. A tag that no enter() gave is
-  /// of a call by another plugin: its arguments are those that were offered.
+  /// Makes the level of this tag the present one; a new pass begins with its arguments.
   void select(std::uint64_t tag, std::uint32_t pass);
+  /// Does select() have to make a level for a tag that no enter() gave? It is of a call by another plugin.
+  bool is_foreign(std::uint64_t tag) const;
+  /// Before select() makes that level. Programs in ISO format have left the levels that are of none of the frames. The
+  /// arguments are those that the calling block has offered, or those of the last modal call that a frame has offered.
+  void enter_foreign(std::span<const ig_frame> callers, std::uint32_t call_line);
   /// The next block may belong to another level, though its frame seems to be the same.
   void forget_frame() { frame_ = no_frame; }
   /// What a trap block gives to GETTRAPARG of the modal call.
   void set_trap(std::uint64_t tag, Arguments trap);
   void drop_modal(std::uint64_t tag);
 
-  /// Arguments of a call that another plugin makes.
-  void offer(Arguments arguments, bool is_modal);
+  /// Arguments of a call that another plugin makes from a block, or of a modal one, up to end_offer().
+  void offer(Arguments arguments, std::uint64_t frame, std::uint32_t line);
+  void offer_modal(Arguments arguments, std::uint64_t frame);
+  void end_offer();
 
   std::vector<MacroValue> stack;
 
@@ -119,13 +129,18 @@ class MacroStore {
   static std::size_t index(Area area) { return static_cast<std::size_t>(area); }
   static void fill(Level& level);
   Level make(std::uint64_t tag, Arguments arguments, Caller caller);
+  void drop_modals(Level& level);
 
   std::vector<Level> levels_;
   std::size_t present_ = 0;
   std::vector<Level> parked_;  // of modal calls
   std::array<std::unordered_map<std::uint32_t, MacroValue>, 4> common_;
-  Arguments offered_{};
-  bool has_offer_ = false;
+  struct Offer {
+    Arguments arguments{};
+    std::uint64_t frame = 0;
+    std::uint32_t line = 0;  ///< 0: there is no offer
+  };
+  Offer offer_{};
   Keeper* keeper_ = nullptr;
   std::uint64_t last_tag_ = 0;
   static constexpr std::uint64_t no_frame = ~std::uint64_t{0};

@@ -33,7 +33,7 @@ struct SyntecMacroCall {
 
   ig::Signal call_{"Parsing.~SyntecMacroCall", ig::read | ig::wake};
   ig::Signal modal_{"SyntecMacro.~Modal", ig::write, ig::Life::modal};
-  ig::Codes return_{{"M99"}, ig::read | ig::wake};
+  ig::Codes return_{{"M99"}, ig::read | ig::wake}, end_{{"G67"}, ig::read | ig::wake};
   ig::In<double> q_{"Parsing.Q"};
   ig::Signal program_{"Parsing.~MacroProgramName", ig::read | ig::wake};
   ig::TextField file_name_{"SubProgramCall.FileName", ig::write};
@@ -43,14 +43,21 @@ struct SyntecMacroCall {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     const ig::Decimal code = ig::read_decimal(text, skip_blanks(text, position + 1));
-    const bool is_modal = code.value == 66 || code.value == 66.1;
-    if (!code.ok || !(is_modal || code.value == 65) || arguments_.is_macro(b) || environment_.flow.is_indexing())
-      return position;
-    environment_.store().offer(iso_arguments(text, code.end), is_modal);
+    if (!code.ok || !is_call(code.value) || arguments_.is_macro(b) || environment_.flow.is_indexing()) return position;
+    const ig_place here = environment_.flow.here(b);
+    environment_.enter(b);
+    if (code.value == 65)
+      environment_.store().offer(iso_arguments(text, code.end), here.frame, here.line);
+    else
+      environment_.store().offer_modal(iso_arguments(text, code.end), here.frame);
     return position;
   }
 
   ig::Status build(ig::Block& b) {
+    if (b.find(end_) && !arguments_.is_macro(b)) {
+      environment_.enter(b);
+      environment_.store().end_offer();
+    }
     if (b.find(return_)) return end_macro(b);
     if (!b.is_raised(call_)) {
       // M98 P"NAME" is a call by another syntax, to which names in angle brackets are known.
@@ -73,6 +80,8 @@ struct SyntecMacroCall {
   }
 
  private:
+  static bool is_call(double code) { return code == 65 || code == 66 || code == 66.1; }
+
   /// The words behind G65 in a file in ISO format; FanucMacroCallSyntax reports what is wrong with them.
   static Arguments iso_arguments(std::string_view text, std::size_t position) {
     Arguments out;
@@ -84,20 +93,16 @@ struct SyntecMacroCall {
         continue;
       }
       if (!is_letter(letter)) break;
-      const std::size_t name = skip_while(text, position, [](char c) { return is_letter(c) || is_digit(c); });
+      const std::size_t name = skip_name_of(text, position, [](char c) { return is_letter(c) || is_digit(c); });
       const bool is_named = at(text, name) == '=';
       const std::size_t first = skip_blanks(text, is_named ? name + 1 : position + 1);
       const ig::Decimal d = first < text.size() ? ig::read_decimal(text, first) : ig::Decimal{.end = first};
+      if (letter == 'G' && d.ok && is_call(d.value)) break;
       if (d.ok && letter != 'P')
-        out.set(is_named ? upper(piece(text, position, name)) : std::string(1, letter),
-                d.has_point ? MacroValue::real(d.value) : MacroValue::whole(d.value));
+        out.set(is_named ? in_capitals(piece(text, position, name)) : std::string(1, letter),
+                d.has_point ? MacroValue::real(d.value) : MacroValue::of_number(d.value));
       position = std::max(d.end, position + 1);
     }
-    return out;
-  }
-  static std::string upper(std::string_view name) {
-    std::string out(name);
-    for (char& c : out) c = to_upper(c);
     return out;
   }
 
