@@ -38,6 +38,34 @@ inline std::optional<std::uint32_t> repeats_of(ig::Block& b, const MacroValue& l
   return static_cast<std::uint32_t>(l.number);
 }
 
+/// G65, G66 and G66.1.
+constexpr bool is_macro_call(double code) { return code == 65 || code == 66 || code == 66.1; }
+
+/// The words of a block in ISO format up to a call; other syntaxes report what is wrong with them.
+inline Arguments iso_arguments(std::string_view text, std::size_t position) {
+  Arguments out;
+  using namespace ig::cnc;
+  while (position < text.size()) {
+    position = skip_while(text, position, [](char c) { return !is_letter(c) && c != '(' && c != ';' && c != '/'; });
+    const char letter = to_upper(at(text, position));
+    if (letter == '(') {
+      position = skip_bracketed(text, position);
+      continue;
+    }
+    if (!is_letter(letter)) break;
+    const std::size_t name = skip_name_of(text, position, [](char c) { return is_letter(c) || is_digit(c); });
+    const bool is_named = at(text, name) == '=';
+    const std::size_t first = skip_blanks(text, is_named ? name + 1 : position + 1);
+    const ig::Decimal d = first < text.size() ? ig::read_decimal(text, first) : ig::Decimal{.end = first};
+    if (letter == 'G' && d.ok && is_macro_call(d.value)) break;
+    if (d.ok && letter != 'P')
+      out.set(is_named ? in_capitals(piece(text, position, name)) : std::string(1, letter),
+              d.has_point ? MacroValue::real(d.value) : MacroValue::of_number(d.value));
+    position = std::max(d.end, position + 1);
+  }
+  return out;
+}
+
 /// A member of the syntaxes that make calls: the words of the block as arguments.
 class BlockArguments {
  public:

@@ -43,7 +43,8 @@ struct SyntecMacroCall {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     const ig::Decimal code = ig::read_decimal(text, skip_blanks(text, position + 1));
-    if (!code.ok || !is_call(code.value) || arguments_.is_macro(b) || environment_.flow.is_indexing()) return position;
+    if (!code.ok || !is_macro_call(code.value) || arguments_.is_macro(b) || environment_.flow.is_indexing())
+      return position;
     const ig_place here = environment_.flow.here(b);
     environment_.enter(b);
     if (code.value == 65)
@@ -80,32 +81,6 @@ struct SyntecMacroCall {
   }
 
  private:
-  static bool is_call(double code) { return code == 65 || code == 66 || code == 66.1; }
-
-  /// The words behind G65 in a file in ISO format; FanucMacroCallSyntax reports what is wrong with them.
-  static Arguments iso_arguments(std::string_view text, std::size_t position) {
-    Arguments out;
-    while (position < text.size()) {
-      position = skip_while(text, position, [](char c) { return !is_letter(c) && c != '(' && c != ';' && c != '/'; });
-      const char letter = to_upper(at(text, position));
-      if (letter == '(') {
-        position = skip_bracketed(text, position);
-        continue;
-      }
-      if (!is_letter(letter)) break;
-      const std::size_t name = skip_name_of(text, position, [](char c) { return is_letter(c) || is_digit(c); });
-      const bool is_named = at(text, name) == '=';
-      const std::size_t first = skip_blanks(text, is_named ? name + 1 : position + 1);
-      const ig::Decimal d = first < text.size() ? ig::read_decimal(text, first) : ig::Decimal{.end = first};
-      if (letter == 'G' && d.ok && is_call(d.value)) break;
-      if (d.ok && letter != 'P')
-        out.set(is_named ? in_capitals(piece(text, position, name)) : std::string(1, letter),
-                d.has_point ? MacroValue::real(d.value) : MacroValue::of_number(d.value));
-      position = std::max(d.end, position + 1);
-    }
-    return out;
-  }
-
   void execute(ig::Block& b, const WordCall& call) {
     Arguments given = arguments_.read(b, scan_);
     const std::string name = b.is_raised(program_) ? scan_->program : std::string();

@@ -24,6 +24,7 @@ struct SyntecModalMacro {
   ig::Codes returns_{{"M99"}, ig::read};
   ig::In<ig::Symbol> move_{"MotionEvent.Form"}, steps_{"CompoundMotion.Term"};
   ig::Signal further_axes_moved_{"FurtherAxes.~Moved", ig::read};
+  FormatField format_{ig::read};
   SharedScan scan_;
   MacroEnvironment environment_;
 
@@ -45,7 +46,9 @@ struct SyntecModalMacro {
     const ModalCall call = calls.back();
     const bool moves = b.is_fresh(move_) || b.is_fresh(steps_) || b.is_raised(further_axes_moved_);
     if (!moves && !(call.each_block && b.is_raised(words_))) return ig::Status::unchanged;
-    store.set_trap(call.tag, scan_->arguments);
+    const std::string_view text = b.source();
+    store.set_trap(call.tag,
+                   format_.is_macro(b) ? scan_->arguments : iso_arguments(text, skip_head(text, 0, text.size())));
     store.forget_frame();
     const ig::Flow::Answer answer =
         request_call(b, environment_.flow, call.number, call.program, call.repeats, call.tag);
