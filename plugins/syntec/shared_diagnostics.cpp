@@ -51,9 +51,11 @@ const ig::Diagnostics shared_diagnostics{
     ig::diagnostic(IG_WARNING, "SYN-0032", "'{0}' is VACANT: in this calculation it counts as 0",
                    "No value was assigned, or the call has no such argument. VACANT equals #0 alone, and not 0.",
                    "#1 := #2 + 1;"),
-    ig::diagnostic(IG_ERROR, "SYN-0033", "'{0}' is too large: the statement or word is not executed",
-                   "Integers have 32 bits, from -2147483648 to 2147483647. Write a decimal point for larger numbers.",
-                   "#1 := 100000 * 100000;"),
+    ig::diagnostic(
+        IG_ERROR, "SYN-0033", "'{0}' is too large: the statement or word is not executed",
+        "Integers have 32 bits, from -2147483648 to 2147483647; write a decimal point for larger numbers. A text has "
+        "at most 4095 characters here.",
+        "#1 := 100000 * 100000;"),
     ig::diagnostic(IG_ERROR, "SYN-0034",
                    "the value of parameter {0} is not known here: give it one with a row of SyntecParameterTable",
                    "PARAM, and #4001 to #5500, read parameters of the control. The statement or word is not executed.",

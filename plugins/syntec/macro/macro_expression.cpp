@@ -17,6 +17,10 @@ std::nullopt_t MacroExpression::fail(ig::DiagnosticCode code, std::size_t begin,
   return std::nullopt;
 }
 
+std::nullopt_t MacroExpression::unclosed(std::size_t begin) {
+  return position_ < text_.text.size() ? fail_here() : fail(ig::diag("SYN-0022"), begin, text_.text.size());
+}
+
 std::string_view MacroExpression::piece(std::size_t begin, std::size_t end) const {
   constexpr std::size_t longest = 60;
   end = std::min(end, text_.text.size());
@@ -150,7 +154,7 @@ std::optional<MacroValue> MacroExpression::primary() {
     ++position_;
     auto out = binary(0);
     if (!out) return std::nullopt;
-    if (!accept(')')) return fail(ig::diag("SYN-0022"), begin, text_.text.size());
+    if (!accept(')')) return unclosed(begin);
     return out;
   }
   if (c == '#' || c == '@') {
@@ -208,7 +212,7 @@ std::optional<MacroStore::Variable> MacroExpression::variable() {
     ++position_;
     const auto index = binary(0);
     if (!index) return std::nullopt;
-    if (!accept(']')) return fail(ig::diag("SYN-0022"), begin, text_.text.size());
+    if (!accept(']')) return unclosed(begin);
     const auto value = operand(*index, begin);
     if (!value) return std::nullopt;
     number = *value;

@@ -79,6 +79,8 @@ class MacroExpression {
 
   std::nullopt_t fail(ig::DiagnosticCode code, std::size_t begin, std::size_t end);
   std::nullopt_t fail_here() { return fail(ig::diag("SYN-0021"), position_, text_.text.size()); }
+  /// The bracket from `begin` on: it has no end, or something else stands before its end.
+  std::nullopt_t unclosed(std::size_t begin);
   std::string_view piece(std::size_t begin, std::size_t end) const;
   char here() const { return ig::cnc::at(text_.text, position_); }
   void skip() { position_ = ig::cnc::skip_blanks(text_.text, position_); }

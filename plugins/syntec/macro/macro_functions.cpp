@@ -73,7 +73,7 @@ std::optional<MacroValue> MacroExpression::named() {
     ++position_;
     const auto index = number();
     if (!index) return std::nullopt;
-    if (!accept(']')) return fail(ig::diag("SYN-0022"), begin, text_.text.size());
+    if (!accept(']')) return unclosed(begin);
     const std::vector<MacroValue>& stack = environment_.store().stack;
     if (!(*index >= 0 && *index < static_cast<double>(stack.size())) || *index != std::floor(*index))
       return fail(ig::diag("SYN-0029"), begin, position_);
@@ -101,7 +101,7 @@ std::optional<std::vector<MacroValue>> MacroExpression::arguments() {
     if (out.size() == most) return fail(ig::diag("SYN-0021"), begin, position_);
     out.push_back(std::move(*one));
   } while (accept(','));
-  if (!accept(')')) return fail(ig::diag("SYN-0022"), begin, text_.text.size());
+  if (!accept(')')) return unclosed(begin);
   return out;
 }
 
