@@ -69,6 +69,8 @@ struct Check {
   Level level;
   std::string_view summary;
   std::string_view help;  ///< what to do when it fails
+  /// Those of --seed, --blocks, --random-limit and --budget that change what the check does.
+  std::span<const std::string_view> options;
   void (*run)(Examination&);
   bool is_alone = false;  ///< it measures times, which other checks beside it would make longer
 };
@@ -78,7 +80,7 @@ std::span<const Check> all_checks();
 
 std::string_view to_string(Level level);
 
-/// Whether the check has a use for the option; true for options that all checks have a use for.
+/// Whether the option, one of those that Check::options may name, changes what the check does.
 bool has_use_for(const Check& check, std::string_view option);
 
 // loading.cpp
