@@ -1,6 +1,6 @@
 // A plugin that misbehaves on command: M901 writes through a null pointer, M902 never returns, M903 throws, M904
 // aborts, M905 prints a line, M906 prints for ever, M907 closes what it could print to, M908 leaves a process behind,
-// and the scanner crashes at a question mark.
+// M909 two that have left its group, the second a child of the first, and the scanner crashes at a question mark.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,7 +18,7 @@ namespace {
 struct Misbehave {
   static constexpr auto spec = ig::syntax("MisbehaveSyntax", "Misbehaves when told to.").scans("?");
 
-  ig::Codes codes_{"M901", "M902", "M903", "M904", "M905", "M906", "M907", "M908"};
+  ig::Codes codes_{"M901", "M902", "M903", "M904", "M905", "M906", "M907", "M908", "M909"};
 
   [[gnu::no_sanitize("undefined")]] static void crash() {  // a real crash, in a sanitizer build too
     volatile int* volatile nowhere = nullptr;
@@ -51,6 +51,9 @@ struct Misbehave {
         break;
       case 7:
         if (::fork() == 0) ::sleep(600), ::_exit(0);
+        break;
+      case 8:
+        if (::fork() == 0) ::setsid(), ::fork(), ::sleep(600), ::_exit(0);
         break;
       default: std::abort();
     }

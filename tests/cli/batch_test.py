@@ -329,6 +329,53 @@ class Batch(unittest.TestCase):
                          {"behind.nc": "ok", "closed.nc": "out of time", "held.nc": "out of time"})
         self.assertEqual(self.results()["behind.nc"]["Feeds"], 2)
 
+    def test_processes_that_have_left_the_group_of_their_program_end(self):
+        """With their program, with its limit, and with a batch that a signal ends."""
+        (self.path / "bad.xml").write_text(
+            '<Dialect xmlns="urn:isogloss:dialect:1" name="bad" extends="fanuc">'
+            '<Plugins><Plugin name="cli_bad_plugin"/></Plugins><Chain>'
+            '<InsertBefore syntax="WordSyntax"><MisbehaveSyntax/></InsertBefore></Chain></Dialect>')
+        environment = {**os.environ, "MARK_OF_TEST": str(self.path)}
+        mark = f"MARK_OF_TEST={self.path}".encode()
+
+        def marked():
+            out = []
+            for file in pathlib.Path("/proc").glob("[0-9]*/environ"):
+                try:
+                    out += [int(file.parent.name)] if mark in file.read_bytes().split(b"\0") else []
+                except OSError:  # it is gone, or another user's
+                    pass
+            return out
+
+        def begin(program, seconds):
+            self.write("a.nc", program)
+            return subprocess.Popen([OPTIONS.isogloss, "batch", "archive", "-d", "bad.xml", "-o", "out", "--plugins",
+                                     OPTIONS.bad_plugins, "--max-jumps", "999999999", "--max-loop-blocks", "99999999999",
+                                     "--max-time", str(seconds)], cwd=self.path, stderr=subprocess.DEVNULL, env=environment)
+        loop = "M909\nN1 G1 X1. F100.\nX0\nGOTO 1\nM30\n"
+        self.assertEqual(begin(GOOD.replace("M30", "M909\nM30"), 600).wait(10 * OPTIONS.seconds), 0)
+        self.assertEqual(marked(), [])
+        self.assertEqual(begin(loop, OPTIONS.seconds // 8 + 1).wait(10 * OPTIONS.seconds), 1)
+        self.assertEqual(self.results()["a.nc"]["Status"], "out of time")
+        self.assertEqual(marked(), [])
+        process = begin(loop.replace("X1.", "X2."), 600)
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while len(marked()) < 4:  # the batch, the program, and two more
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+        process.terminate()
+        self.assertEqual(process.wait(10 * OPTIONS.seconds), 2)
+        self.assertEqual(marked(), [])
+
+    def test_a_batch_that_was_stopped_takes_no_program_for_late(self):
+        self.write("a.nc", GOOD)
+        process = self.begun("--max-time", "1")
+        process.send_signal(signal.SIGSTOP)
+        time.sleep(1.2)
+        process.send_signal(signal.SIGCONT)
+        process.communicate(timeout=20 * OPTIONS.seconds)
+        self.assertEqual(self.results()["a.nc"]["Status"], "ok")
+
     def begun(self, *more, out="out", programs=1):
         """A batch that is at work on so many programs."""
         process = subprocess.Popen([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", out, *more], cwd=self.path,

@@ -11,13 +11,18 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <list>
 #include <optional>
+#include <set>
+#include <thread>
 
 #include "noted_signals.hpp"
 
 namespace isogloss::cli::batch {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -84,34 +89,45 @@ void hear(Child& child, std::size_t which) {
   }
 }
 
+std::vector<pid_t> children_of(const std::string& process) {
+  std::vector<pid_t> out;
+  std::error_code error;
+  for (fs::directory_iterator thread("/proc/" + process + "/task", error), end; !error && thread != end;
+       thread.increment(error)) {
+    std::ifstream children(thread->path() / "children");
+    for (pid_t one = 0; children >> one;) out.push_back(one);
+  }
+  return out;
+}
+
 /// With what it has started: under --untrusted the work is done there.
 std::uint64_t resident_mib(pid_t process) {
-  const std::string name = std::to_string(process), folder = "/proc/" + name;
+  const std::string name = std::to_string(process);
   std::uint64_t size = 0, resident = 0;
-  std::ifstream(folder + "/statm") >> size >> resident;
+  std::ifstream("/proc/" + name + "/statm") >> size >> resident;
   std::uint64_t out = resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) >> 20;
-  std::ifstream started(folder + "/task/" + name + "/children");
-  for (pid_t one = 0; started >> one;) out += resident_mib(one);
+  for (const pid_t one : children_of(name)) out += resident_mib(one);
   return out;
 }
 
 /// With what it has started and left in its group.
 void kill_all_of(const Child& child) { ::kill(-child.process, SIGKILL); }
 
-/// Kills a child that has used up what it may.
+/// The process stays a zombie, so that its number stays its own.
+bool has_ended(const Child& child) {
+  siginfo_t info{};
+  return ::waitid(P_PID, static_cast<id_t>(child.process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
+}
+
+/// Kills a child that has used up what it may. One that has ended kept its limits, even where this process was stopped
+/// meanwhile and looks late.
 void hold(Child& child, const ChildLimits& limits) {
-  if (child.end.how != ChildEnd::How::exited) return;
+  if (child.end.how != ChildEnd::How::exited || has_ended(child)) return;
   const bool is_late = limits.seconds != 0 && Clock::now() - child.begin >= std::chrono::seconds(limits.seconds);
   const bool is_large = limits.memory_mib != 0 && resident_mib(child.process) > limits.memory_mib;
   if (!is_late && !is_large) return;
   child.end.how = is_late ? ChildEnd::How::out_of_time : ChildEnd::How::out_of_memory;
   kill_all_of(child);
-}
-
-/// It is left as it is, so that its number stays its own.
-bool has_ended(const Child& child) {
-  siginfo_t info{};
-  return ::waitid(P_PID, static_cast<id_t>(child.process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
 }
 
 void wait_for(Child& child) {
@@ -150,11 +166,50 @@ void hear_all(std::list<Child>& children, int milliseconds) {
     if (waited[i].revents != 0) hear(*whose[i].first, whose[i].second);
 }
 
+/// What a program has started and moved to a group of its own becomes a child of this process when its parent ends.
+/// Such a process belongs to no program that is at work: it is killed.
+class Orphans {
+ public:
+  Orphans() {
+    ::prctl(PR_GET_CHILD_SUBREAPER, &before_);
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+    const std::vector<pid_t> others = children_of("self");
+    others_.insert(others.begin(), others.end());
+  }
+  ~Orphans() {
+    // Each one that dies may leave its own children here.
+    constexpr auto most_time = std::chrono::seconds(5);
+    for (const auto begin = Clock::now(); kill_all({}) && Clock::now() - begin < most_time;)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ::prctl(PR_SET_CHILD_SUBREAPER, before_);
+  }
+  Orphans(const Orphans&) = delete;
+  Orphans& operator=(const Orphans&) = delete;
+
+  /// True: there were any.
+  bool kill_all(const std::list<Child>& children) const {
+    bool were_any = false;
+    for (const pid_t process : children_of("self")) {
+      const auto is_it = [&](const Child& child) { return child.process == process; };
+      if (others_.contains(process) || std::any_of(children.begin(), children.end(), is_it)) continue;
+      were_any = true;
+      ::kill(process, SIGKILL);
+      ::waitpid(process, nullptr, WNOHANG);
+    }
+    return were_any;
+  }
+
+ private:
+  int before_ = 0;
+  std::set<pid_t> others_;  // which this process had already
+};
+
 }  // namespace
 
 bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, const Ended& ended) {
   constexpr int tick_ms = 100;  // how exact the limits are
   const NotedSignals signals;
+  std::optional<Orphans> orphans(std::in_place);
   std::list<Child> children;
   std::optional<Child> waiting;  // that the system did not start beside the others
   std::vector<std::string> words;
@@ -184,6 +239,7 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
     hear_all(children, tick_ms);
     if (Clock::now() - last_look >= std::chrono::milliseconds(tick_ms)) {
       for (Child& child : children) hold(child, limits);
+      orphans->kill_all(children);
       last_look = Clock::now();
     }
     for (auto child = children.begin(); child != children.end();) {
@@ -197,6 +253,7 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
       child = children.erase(child);
     }
   }
+  orphans.reset();  // which may take a while: a signal still counts
   return NotedSignals::last() == 0;
 }
 
