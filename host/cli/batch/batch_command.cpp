@@ -40,6 +40,13 @@ bool is_killed_by_others(const ChildEnd& end) {
          (end.number == SIGKILL || end.number == SIGTERM || end.number == SIGINT || end.number == SIGHUP);
 }
 
+/// Without links, also where the end of the path does not exist; an empty one is this folder.
+std::filesystem::path real_path(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path.empty() ? "." : path, error);
+  return std::filesystem::weakly_canonical(whole, error);
+}
+
 void say(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
 class Batch {
@@ -58,7 +65,8 @@ class Batch {
   bool has_changed(std::size_t number, const std::optional<Work>& work);
   std::vector<std::string> arguments_for(const std::string& program) const;
   bool finish(std::size_t number, const ChildEnd& end);
-  bool is_own(const std::string& program, const std::string& file);
+  void find_common_folders();
+  bool is_own(const std::filesystem::path& folder, const std::string& file) const;
   void keep(const Finished& finished);
   int write_results(const std::vector<std::string>& programs);
 
@@ -66,6 +74,7 @@ class Batch {
   Session& session_;
   ChildLimits limits_;  // of memory a quarter more than a run allows itself, which can tell more
   Surroundings surroundings_;
+  std::set<std::filesystem::path> common_folders_;  // that each program may read
   Journal journal_, before_;
   FileHashes hashes_;
   std::map<std::string, const Finished*> done_;
@@ -85,6 +94,7 @@ int Batch::run() {
   const std::optional<ProgramList> list = surroundings ? list_programs(arguments_.places, session_) : std::nullopt;
   if (!list) return cannot_start;
   surroundings_ = std::move(*surroundings);
+  if (arguments_.untrusted.on) find_common_folders();
   if (list->left_out != 0) session_.report("IG-0671", {}, {std::to_string(list->left_out)});
   journal_.read(arguments_.output);
   for (const std::string& folder : arguments_.changed_since)
@@ -134,6 +144,7 @@ int Batch::do_part(const std::vector<std::string>& programs) {
     std::optional<Surroundings> surroundings = surroundings_of(arguments_, hashes_, session_);
     if (!surroundings) return cannot_start;
     surroundings_ = std::move(*surroundings);
+    if (arguments_.untrusted.on) find_common_folders();
   }
 }
 
@@ -209,8 +220,9 @@ bool Batch::finish(std::size_t number, const ChildEnd& end) {
   const std::string& program = rest_[number];
   std::optional<Work> work = end.how == ChildEnd::How::exited ? read_work(end.out) : std::nullopt;
   if (work && arguments_.untrusted.on) {
-    std::erase_if(work->called, [&](const auto& file) { return !is_own(program, file.first); });
-    std::erase_if(work->places, [&](const auto& place) { return !is_own(program, place.first); });
+    const std::filesystem::path folder = real_path(std::filesystem::path(program).parent_path());
+    std::erase_if(work->called, [&](const auto& file) { return !is_own(folder, file.first); });
+    std::erase_if(work->places, [&](const auto& place) { return !is_own(folder, place.first); });
   }
   const Json result = result_of(program, end, work, limits_);
   Finished finished{program, surroundings_.hash, begun_[number].content, {}, {}, {}};
@@ -235,20 +247,23 @@ bool Batch::finish(std::size_t number, const ChildEnd& end) {
   return true;
 }
 
+/// Once: an archive has many programs, and the folders of dialects and plugins hold many files.
+void Batch::find_common_folders() {
+  std::set<std::string> folders(arguments_.program.subprograms.begin(), arguments_.program.subprograms.end());
+  for (const auto& [file, hash] : surroundings_.files)
+    if (!file.starts_with("/proc/")) folders.insert(std::filesystem::path(file).parent_path());
+  common_folders_.clear();
+  for (const std::string& folder : folders) common_folders_.insert(real_path(folder));
+}
+
 /// What a hostile plugin says that it has called is read here only where its program can have called it.
-bool Batch::is_own(const std::string& program, const std::string& file) {
-  namespace fs = std::filesystem;
-  std::error_code code;
-  const fs::path whole = fs::weakly_canonical(fs::absolute(file.empty() ? "." : file, code), code);
-  const auto holds_it = [&](const fs::path& place) {
-    const fs::path folder = fs::canonical(place.empty() ? "." : place, code);
-    return !code && std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end()).first == folder.end();
-  };
-  std::vector<fs::path> places{fs::path(program).parent_path()};
-  places.insert(places.end(), arguments_.program.subprograms.begin(), arguments_.program.subprograms.end());
-  for (const auto& [known, hash] : surroundings_.files)
-    if (!known.starts_with("/proc/")) places.push_back(fs::path(known).parent_path());
-  return std::any_of(places.begin(), places.end(), holds_it);
+bool Batch::is_own(const std::filesystem::path& folder, const std::string& file) const {
+  std::filesystem::path place = real_path(file);
+  while (place != folder && !common_folders_.contains(place)) {
+    if (place == place.parent_path()) return false;
+    place = place.parent_path();
+  }
+  return true;
 }
 
 void Batch::keep(const Finished& finished) {

@@ -202,8 +202,8 @@ struct Lines {
 };
 
 /// In the new process, up to where it may read what strangers have written.
-void begin_work(const UntrustedOptions& options, const UntrustedWork& work, const Lines& lines, int input,
-                pid_t supervisor, Outputs& outputs, SharedState& state) {
+void begin_work(const UntrustedOptions& options, const UntrustedWork& work, const std::vector<std::string>& readable,
+                const Lines& lines, int input, pid_t supervisor, Outputs& outputs, SharedState& state) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != supervisor) end_process(internal_fault);
   ::setpgid(0, 0);
@@ -221,7 +221,7 @@ void begin_work(const UntrustedOptions& options, const UntrustedWork& work, cons
   outputs.forget();
   guard_confined();
   Confinement confinement;
-  confinement.readable = readable_by(work);
+  confinement.readable = readable;
   confinement.processor_seconds = options.time_limit();
   constexpr std::uint64_t mib = std::uint64_t{1} << 20, of_libraries = 1024, least_file = 64;
   if (work.memory_mib != 0 && work.memory_mib < UINT64_MAX / mib / 2)
@@ -301,9 +301,10 @@ std::optional<int> supervise(const UntrustedOptions& options, const UntrustedWor
   if (!can_confine_reading()) reports.add("IG-0684", {}, {});
   auto* const state = new (memory) SharedState();
   auto outputs = std::make_unique<Outputs>(work.outputs, *state);
+  const std::vector<std::string> readable = readable_by(work);
   const pid_t supervisor = ::getpid(), process = ::fork();
   if (process == 0) {
-    begin_work(options, work, lines, input, supervisor, *outputs, *state);
+    begin_work(options, work, readable, lines, input, supervisor, *outputs, *state);
     return std::nullopt;
   }
   for (const int end : {lines.socket[1], lines.out[1], lines.errors[1], input})
@@ -315,7 +316,7 @@ std::optional<int> supervise(const UntrustedOptions& options, const UntrustedWor
   watch_calls(0);
   const std::uint64_t printed = std::max(work.output_bytes, std::uint64_t{64} << 20);
   const End end = watch_over(process, {lines.socket[0], lines.out[0], lines.errors[0]},
-                             {options.time_limit(), work.memory_mib, printed, readable_by(work)});
+                             {options.time_limit(), work.memory_mib, printed, readable});
   const int status = conclude(end, *state, work, *outputs, reports);
   outputs.reset();
   if (end.signal != 0 && end.how != End::How::by_itself) die_of(end.signal);
