@@ -20,6 +20,9 @@ namespace {
 constexpr std::size_t buffer_size = std::size_t{256} << 10;
 constexpr std::size_t large_piece = std::size_t{32} << 10;
 
+/// Behind the name of the target: no file of a user is called so.
+constexpr std::string_view mark_of_temporary = ".isogloss-XXXXXX";
+
 /// In a process that can open no file for writing.
 std::vector<OutputFile::Prepared>* prepared_files = nullptr;
 
@@ -106,7 +109,7 @@ std::unique_ptr<OutputFile> OutputFile::open(const std::string& path, std::strin
     return nullptr;
   }
   const WholeLines none_is_left;  // a signal waits until the file would be removed
-  std::string temporary = target + ".XXXXXX";
+  std::string temporary = target + std::string(mark_of_temporary);
   const int descriptor = mkostemp(temporary.data(), O_CLOEXEC);
   if (descriptor < 0) {
     error = std::strerror(errno);
@@ -164,19 +167,40 @@ bool OutputFile::write(std::string_view bytes) {
   return true;
 }
 
-bool OutputFile::commit() {
+bool OutputFile::complete() {
   if (reader_is_gone_ || !error_.empty() || !flush()) return false;
   if (descriptor_ > STDERR_FILENO) {
     const int closed = close(descriptor_);
     descriptor_ = -1;
     if (closed != 0) return fail(errno), false;
   }
+  return true;
+}
+
+bool OutputFile::commit() {
+  if (!complete()) return false;
   if (is_complete_ != nullptr) *is_complete_ = true;
   if (temporary_.empty()) return true;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) return fail(errno), false;
   keep_when_killed(temporary_.c_str());
   temporary_.clear();
   return true;
+}
+
+void OutputFile::remove_left_behind(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(path, error);
+  const std::string name = target.filename().string();
+  const std::string_view mark = mark_of_temporary.substr(0, mark_of_temporary.find('X'));
+  std::vector<fs::path> found;
+  for (fs::directory_iterator at(target.parent_path(), error), end; !error && at != end; at.increment(error)) {
+    const std::string other = at->path().filename().string();
+    const bool is_one = other.size() == name.size() + mark_of_temporary.size() && other.starts_with(name) &&
+                        other.compare(name.size(), mark.size(), mark) == 0;
+    if (is_one) found.push_back(at->path());
+  }
+  for (const fs::path& file : found) ::unlink(file.c_str());
 }
 
 int print(std::string_view text, int status) {

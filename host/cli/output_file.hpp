@@ -38,8 +38,12 @@ class OutputFile : public Output {
   /// The limit of the output: write() refuses bytes beyond it.
   void allow(std::uint64_t bytes) { allowance_ = bytes; }
   bool is_over_allowance() const { return is_over_allowance_; }
-  /// Writes what waits, closes and renames; false with error() set, or when the reader is gone.
+  /// Writes what waits and closes, so that nothing but the new name can fail in commit(); false as that.
+  bool complete();
+  /// Completes and renames; false with error() set, or when the reader is gone.
   bool commit();
+  /// Removes the temporary files of `path` that killed processes have left. The caller knows that none is at work.
+  static void remove_left_behind(const std::string& path);
 
   /// The reader went away, which is no error.
   bool reader_is_gone() const { return reader_is_gone_; }

@@ -5,6 +5,7 @@
 """
 import argparse
 import csv
+import fcntl
 import json
 import os
 import pathlib
@@ -375,6 +376,41 @@ class Batch(unittest.TestCase):
         process.send_signal(signal.SIGCONT)
         process.communicate(timeout=20 * OPTIONS.seconds)
         self.assertEqual(self.results()["a.nc"]["Status"], "ok")
+
+    def test_results_are_those_of_one_batch_or_of_none(self):
+        """The page of results is larger than the file system takes."""
+        self.write("a.nc", GOOD)
+        self.assertIn("1 program: 1 ok", self.batch().stderr)
+        before = [(self.path / "out" / name).read_bytes() for name in RESULTS]
+        self.write("a.nc", BAD)
+        done = subprocess.run([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", "out"], cwd=self.path,
+                              capture_output=True, text=True, check=False,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("overview.html: error", done.stderr)
+        self.assertEqual([(self.path / "out" / name).read_bytes() for name in RESULTS], before)
+        self.assertEqual(len(list((self.path / "out").iterdir())), len(RESULTS) + 1)
+        self.batch(status=1)
+        self.assertEqual(len(self.journal()), 2)
+
+    def test_batches_write_results_into_one_folder_one_after_the_other(self):
+        self.write("a.nc", GOOD)
+        self.batch()
+        (self.path / "out/results.csv").unlink()
+        (self.path / "out/results.jsonl.isogloss-Ab3dEf").write_text("left by a kill")
+        (self.path / "out/results.csv.backup").write_text("mine")
+        folder = os.open(self.path / "out", os.O_RDONLY)
+        self.addCleanup(os.close, folder)
+        fcntl.flock(folder, fcntl.LOCK_EX)
+        process = subprocess.Popen([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", "out"], cwd=self.path,
+                                   stderr=subprocess.DEVNULL)
+        time.sleep(0.3)
+        self.assertIsNone(process.poll())
+        self.assertFalse((self.path / "out/results.csv").exists())
+        fcntl.flock(folder, fcntl.LOCK_UN)
+        self.assertEqual(process.wait(10 * OPTIONS.seconds), 0)
+        self.assertEqual({file.name for file in (self.path / "out").iterdir()},
+                         {*RESULTS, "journal", "results.csv.backup"})
 
     def begun(self, *more, out="out", programs=1):
         """A batch that is at work on so many programs."""

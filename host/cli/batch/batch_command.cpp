@@ -105,8 +105,8 @@ int Batch::run() {
     const auto part = part_of(list->programs, arguments_.shard.number, arguments_.shard.count);
     if (const int status = do_part(part); status != success) return status;
     if (arguments_.shard.count > 1) {
-      say(fmt::format("part {} of {} is finished: {} programs; --merge writes the results of all parts",
-                      arguments_.shard.number, arguments_.shard.count, part.size()));
+      say(fmt::format("part {} of {} is finished: {}; --merge writes the results of all parts", arguments_.shard.number,
+                      arguments_.shard.count, programs_in_words(part.size())));
       return session_.status();
     }
   }

@@ -1,12 +1,18 @@
 #include "batch/results.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 
 #include "batch/assets.hpp"
+#include "crash_guard.hpp"
 #include "markup.hpp"
+#include "output_file.hpp"
 #include "outputs.hpp"
 
 namespace isogloss::cli::batch {
@@ -114,7 +120,31 @@ std::string for_script(const Json& json) {
   return out;
 }
 
+/// Of the processes that write results into a folder one at a time. Where the file system has no locks, nothing waits.
+class OneWriter {
+ public:
+  explicit OneWriter(const std::string& folder) : descriptor_(::open(folder.c_str(), O_RDONLY | O_CLOEXEC)) {
+    while (descriptor_ >= 0 && !is_alone_) {
+      is_alone_ = ::flock(descriptor_, LOCK_EX) == 0;
+      if (!is_alone_ && errno != EINTR) break;
+    }
+  }
+  ~OneWriter() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  OneWriter(const OneWriter&) = delete;
+  OneWriter& operator=(const OneWriter&) = delete;
+
+  bool is_alone() const { return is_alone_; }
+
+ private:
+  int descriptor_;
+  bool is_alone_ = false;
+};
+
 }  // namespace
+
+std::string programs_in_words(std::uint64_t count) { return fmt::format("{} program{}", count, count == 1 ? "" : "s"); }
 
 Json result_of(const std::string& program, const ChildEnd& end, const std::optional<Work>& work,
                const ChildLimits& limits) {
@@ -201,15 +231,40 @@ std::string ResultFiles::as_html() const {
 }
 
 bool ResultFiles::write(const std::string& folder, Session& session) const {
-  const std::filesystem::path place(folder);
-  bool is_written = write_file((place / "results.jsonl").string(), lines_, session);
-  is_written = write_file((place / "results.csv").string(), as_csv(), session) && is_written;
-  is_written = write_file((place / "results.xml").string(), as_junit(), session) && is_written;
-  return write_file((place / "overview.html").string(), as_html(), session) && is_written;
+  const OneWriter writer(folder);
+  struct Part {
+    std::string path;
+    std::unique_ptr<OutputFile> file;
+  };
+  std::vector<Part> parts;
+  bool is_written = true;
+  const auto tell = [&](const Part& part, const std::string& error) {
+    if (part.file != nullptr && part.file->reader_is_gone()) return;
+    session.report("IG-0511", {part.path}, {error});
+    is_written = false;
+  };
+  const auto write = [&](const char* name, std::string_view text) {
+    Part& part = parts.emplace_back((std::filesystem::path(folder) / name).string());
+    if (writer.is_alone()) OutputFile::remove_left_behind(part.path);
+    std::string error;
+    part.file = OutputFile::open(part.path, error);
+    if (part.file != nullptr) part.file->write(text);
+    if (part.file == nullptr || !part.file->complete()) tell(part, part.file == nullptr ? error : part.file->error());
+  };
+  write("results.jsonl", lines_);
+  write("results.csv", as_csv());
+  write("results.xml", as_junit());
+  write("overview.html", as_html());
+  if (!is_written) return false;
+  // All of one batch or none: a signal waits.
+  const WholeLines none_is_left;
+  for (const Part& part : parts)
+    if (!part.file->commit()) tell(part, part.file->error());
+  return is_written;
 }
 
 std::string ResultFiles::in_words() const {
-  std::string out = fmt::format("{} programs", count_);
+  std::string out = programs_in_words(count_);
   const char* separator = ": ";
   for (const auto& one : statuses) {
     const auto found = by_status_.find(one.status);

@@ -16,12 +16,15 @@ Json result_of(const std::string& program, const ChildEnd& end, const std::optio
 /// The exit status that the result stands for.
 int status_of(const Json& result);
 
+/// "1 program", "12 programs".
+std::string programs_in_words(std::uint64_t count);
+
 /// The files of a batch's folder: results.jsonl, results.csv, results.xml (JUnit) and overview.html.
 class ResultFiles {
  public:
   /// In the order of the programs.
   void add(const Json& result);
-  /// False, and reported, when one cannot be written.
+  /// All of them, or none: false, and reported, when one cannot be written.
   bool write(const std::string& folder, Session& session) const;
   /// "12 programs: 10 ok, 2 with errors".
   std::string in_words() const;
