@@ -10,6 +10,7 @@ import json
 import os
 import pathlib
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -392,6 +393,32 @@ class Batch(unittest.TestCase):
         self.assertEqual(len(list((self.path / "out").iterdir())), len(RESULTS) + 1)
         self.batch(status=1)
         self.assertEqual(len(self.journal()), 2)
+
+    def test_a_journal_on_a_full_disc_keeps_whole_lines(self):
+        self.archive_of(9)
+        done = subprocess.run([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", "out", "-j1"], cwd=self.path,
+                              capture_output=True, text=True, check=False,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("[IG-0675]", done.stderr)
+        kept = len(self.journal())
+        self.assertIn(kept, range(1, 9))
+        said = self.batch().stderr
+        self.assertIn(f"{kept} of 9 programs were finished before", said)
+        self.assertNotIn("[IG-0672]", said)
+
+    def test_a_part_whose_journal_is_removed_has_not_finished(self):
+        self.write("a.nc", GOOD)
+        self.write("b.nc", f"G21 G90\nG0 X1.\n{LONG}M30\n")
+        process = self.begun("-j1", "--shard", "1/1")
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while not list(self.path.glob("out/journal/*.jsonl")):
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.002)
+        shutil.rmtree(self.path / "out")
+        said = process.communicate(timeout=20 * OPTIONS.seconds)[1]
+        self.assertEqual(process.returncode, 2, said)
+        self.assertIn("[IG-0675]", said)
 
     def test_batches_write_results_into_one_folder_one_after_the_other(self):
         self.write("a.nc", GOOD)

@@ -127,6 +127,7 @@ int Batch::do_part(const std::vector<std::string>& programs) {
       say(fmt::format("{} of {} programs were finished before and have not changed", done, programs.size()));
     const bool is_done = do_rest();
     session_.progress().hide();
+    if (fault_.empty() && !journal_.is_kept()) fault_ = "its folder was moved or its journal removed meanwhile";
     if (fault_.empty() && !changed_.empty() && times == most_times) fault_ = changed_ + " changes again and again";
     if (!fault_.empty()) {
       session_.report("IG-0675", {arguments_.output}, {fault_});

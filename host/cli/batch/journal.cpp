@@ -119,10 +119,23 @@ const Finished* Journal::append(const Finished& finished, std::string& error) {
   while (!rest.empty()) {
     const ssize_t n = ::write(descriptor_, rest.data(), rest.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return error = std::strerror(errno), nullptr;
+    if (n <= 0) {
+      error = std::strerror(errno);
+      // Half a line would be reported as damaged by each later batch.
+      [[maybe_unused]] const int is_cut = ::ftruncate(descriptor_, size_);
+      return nullptr;
+    }
     rest.remove_prefix(static_cast<std::size_t>(n));
   }
+  size_ += static_cast<std::int64_t>(line.size());
   return &all_.emplace(finished.program, finished)->second;
+}
+
+bool Journal::is_kept() const {
+  struct stat named {
+  }, written{};
+  return descriptor_ < 0 || (::fstat(descriptor_, &written) == 0 && ::stat(name_.c_str(), &named) == 0 &&
+                             named.st_dev == written.st_dev && named.st_ino == written.st_ino);
 }
 
 std::string text_of_name(std::string_view name) {

@@ -1,6 +1,7 @@
 /// What a batch has finished, kept while it works: after a kill nothing of it is run again.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,6 +38,8 @@ class Journal {
   std::string open(const std::string& folder);
   /// The result as it is kept; null, and the reason, when it cannot be written.
   const Finished* append(const Finished& finished, std::string& error);
+  /// False: somebody has removed or replaced the file of this process, and no other process will find its results.
+  bool is_kept() const;
   ~Journal();
   Journal() = default;
   Journal(const Journal&) = delete;
@@ -53,6 +56,7 @@ class Journal {
   std::uint64_t damaged_ = 0;
   std::string name_;  // of the file of this process, once there is something to write
   int descriptor_ = -1;
+  std::int64_t size_ = 0;  // of that file
 };
 
 }  // namespace isogloss::cli::batch
