@@ -615,6 +615,22 @@ class Batch(unittest.TestCase):
         self.batch("--include", "*.mpf", "--include", "p*", "--exclude", "sub/*", out="other")
         self.assertEqual(list(self.results("other")), ["part.nc"])
 
+    def test_a_program_is_a_file_that_its_path_leads_to(self):
+        """Behind a link, .. leads elsewhere than the text of the path; a program that is named twice runs once."""
+        self.write("other/sub/x.nc", BAD)
+        self.write("other/a.nc", GOOD)
+        self.write("a.nc", BAD)
+        (self.archive / "link").symlink_to("other/sub")
+        self.batch(places=("archive/link/../a.nc",))
+        self.batch(places=("archive/a.nc", "archive/other/../a.nc", self.archive / "a.nc"), out="twice", status=1)
+        self.assertEqual(len((self.path / "twice/results.jsonl").read_text().splitlines()), 1)
+        os.mkfifo(self.archive / "pipe.nc")
+        (self.archive / "loop.nc").symlink_to("loop.nc")
+        for name in ("pipe.nc", "loop.nc"):
+            self.assertIn("[IG-0510]", self.batch(places=(self.archive / name,), out="none", status=2).stderr)
+        (self.path / "list.txt").write_text("archive/a.nc\narchive/pipe.nc\n")
+        self.assertIn("[IG-0510]", self.batch("--list", "list.txt", places=(), out="none", status=2).stderr)
+
     def test_a_list_names_programs(self):
         self.write("a.nc", GOOD)
         self.write("b.nc", GOOD)

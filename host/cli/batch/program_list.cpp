@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "batch/content_hash.hpp"
 #include "isogloss/engine/byte_order_mark.hpp"
@@ -35,9 +36,17 @@ std::string head_of(const fs::path& file) {
   return head;
 }
 
+/// Without what a path does not need. Behind a link to a folder, .. leads elsewhere than the text of the path.
+fs::path plain_path(const fs::path& path) {
+  std::error_code error;
+  const fs::path plain = path.lexically_normal();
+  const bool goes_up = std::find(path.begin(), path.end(), "..") != path.end();
+  return !goes_up || fs::equivalent(path, plain, error) ? plain : path;
+}
+
 /// The name of a program as it is told and given on: none begins as an option does, or as a formula of a sheet.
 std::string name_of(const fs::path& file) {
-  std::string name = file.lexically_normal().string();
+  std::string name = plain_path(file).string();
   const bool is_plain = !name.empty() && std::string_view("=+-@\t\r").find(name.front()) == std::string_view::npos;
   return is_plain ? name : "./" + name;
 }
@@ -100,6 +109,10 @@ bool add_place(const std::string& place, const ProgramPlaces& wanted, ProgramLis
     session.report("IG-0510", {place}, {"no such file or folder"});
     return false;
   }
+  if (!fs::is_directory(status) && !fs::is_regular_file(status)) {
+    session.report("IG-0510", {place}, {"a batch reads programs from files, and this is none"});
+    return false;
+  }
   if (!fs::is_directory(status)) {
     out.programs.push_back(name_of(place));
   } else if (fs::equivalent(place, wanted.results, error)) {
@@ -107,7 +120,7 @@ bool add_place(const std::string& place, const ProgramPlaces& wanted, ProgramLis
     return false;
   } else {
     out.has_folders = true;
-    add_folder(fs::path(place).lexically_normal(), {}, wanted, out, session);
+    add_folder(plain_path(place), {}, wanted, out, session);
   }
   return true;
 }
@@ -168,7 +181,13 @@ std::optional<ProgramList> list_programs(const ProgramPlaces& wanted, Session& s
   }
   if (!wanted.list.empty()) sound = add_list(wanted.list, wanted, out, session) && sound;
   std::sort(out.programs.begin(), out.programs.end());
-  out.programs.erase(std::unique(out.programs.begin(), out.programs.end()), out.programs.end());
+  // One that was named twice, once perhaps with its whole path.
+  std::set<fs::path> seen;
+  std::erase_if(out.programs, [&](const std::string& program) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(program, error);
+    return !seen.insert(error ? fs::path(program) : plain_path(whole)).second;
+  });
   sound = sound && have_effect(wanted, out, session);
   if (sound && out.programs.empty()) session.report("IG-0670", {}, {std::to_string(out.left_out)});
   return sound && !out.programs.empty() ? std::optional(std::move(out)) : std::nullopt;
