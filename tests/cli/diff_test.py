@@ -334,6 +334,15 @@ class Diff(unittest.TestCase):
         lines = self.diff("-d", "fanuc", part, other).stdout.splitlines()
         self.assertLess(max(map(len, lines)), 5000)
 
+    def test_of_a_long_line_the_part_that_differs_is_shown(self):
+        comment = "(" + "\u00e4" * 500 + ")"
+        one, other = (self.write(f"{x}.nc", f"{HEAD}{comment}G1 X{x}. F100. ({'B' * 600})\nM30\n") for x in (1, 2))
+        shown = self.diff("-d", "fanuc", "--all", one, other).stdout
+        for x in (1, 2):
+            self.assertIn(f"\u00e4)G1 X{x}. F100. (BBB", shown)
+        self.assertNotIn("\ufffd", shown)
+        self.assertLess(max(map(len, shown.splitlines())), 600)
+
     def test_memory_does_not_grow_with_the_program(self):
         if OPTIONS.sanitized:
             self.skipTest("AddressSanitizer keeps what is freed")

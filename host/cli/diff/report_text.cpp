@@ -31,18 +31,39 @@ std::string values_text(const std::vector<Parting>& values, std::string_view ind
   return out;
 }
 
-/// A line of a program may be a mebibyte.
-std::string line_of_program(std::string_view text) {
-  constexpr std::size_t most = 500;
-  return printable(text.substr(0, most), "\t") + (text.size() > most ? " …" : "");
+/// Where the character begins that holds the byte `at`, in UTF-8.
+std::size_t begin_of_character(std::string_view text, std::size_t at) {
+  constexpr std::size_t most_bytes = 3;  // behind the first
+  std::size_t begin = std::min(at, text.size());
+  while (begin > 0 && begin < text.size() && at - begin < most_bytes &&
+         (static_cast<unsigned char>(text[begin]) & 0xc0) == 0x80)
+    --begin;
+  return begin;
+}
+
+constexpr std::size_t most_of_line = 500, before_difference = 40;
+
+/// A line of a program may be a mebibyte: the part from `begin` on.
+std::string line_of_program(std::string_view text, std::size_t begin) {
+  begin = begin_of_character(text, begin);
+  const std::size_t end = begin_of_character(text, begin + most_of_line);
+  return (begin > 0 ? "… " : "") + printable(text.substr(begin, end - begin), "\t") + (end < text.size() ? " …" : "");
 }
 
 std::string block_text(const PartedBlock& block, std::string_view indent) {
   const std::string place = place_text(block.file_a, block.line_a, block.file_b, block.line_b);
-  std::string out = fmt::format("{}{}{}{}\n", indent, place, place.empty() ? "" : "  ",
-                                line_of_program(block.line_a != 0 ? block.text_a : block.text_b));
-  if (block.line_a != 0 && block.line_b != 0 && block.text_a != block.text_b)
-    out += fmt::format("{}  against  {}\n", indent, line_of_program(block.text_b));
+  const std::string_view a = block.text_a, b = block.text_b;
+  const bool are_two = block.line_a != 0 && block.line_b != 0 && a != b;
+  const std::string_view first = block.line_a != 0 ? a : b;
+  std::size_t begin = 0;
+  if (are_two) {
+    // Two lines show where they differ.
+    const auto different =
+        static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+    if (different + before_difference > most_of_line) begin = different - before_difference;
+  }
+  std::string out = fmt::format("{}{}{}{}\n", indent, place, place.empty() ? "" : "  ", line_of_program(first, begin));
+  if (are_two) out += fmt::format("{}  against  {}\n", indent, line_of_program(b, begin));
   return out;
 }
 
