@@ -302,34 +302,42 @@ int Batch::write_results(const std::vector<std::string>& programs) {
 }
 
 void add_to(CommandLine& line, BatchArguments& a) {
-  line.option("PLACE", a.places.places,
-              "Programs, folders with all programs below them, and lists of both, one in each line");
-  line.option("--list", a.places.list, "A list that may begin with a bare name; - is standard input").type_name("FILE");
+  line.option(
+      "PLACE", a.places.places,
+      "Programs, folders with all programs below them, and lists with the path of a program or folder in each line");
+  line.option("--list", a.places.list,
+              "A list whose first line may be a bare name, which PLACE takes for a program; - is standard input")
+      .type_name("FILE");
   line.option("--include", a.places.include,
-              "Of the folders only files whose name or path is like this, e.g. '*.nc' (repeatable)")
+              "In folders, run only files whose name, or path below the folder, fits this pattern, e.g. '*.nc' "
+              "(repeatable)")
       .type_name("PATTERN");
-  line.option("--exclude", a.places.exclude, "Of the folders no files like this (repeatable)").type_name("PATTERN");
-  line.option("-o,--output", a.output, "Folder for the results; what is finished there is not run again")
+  line.option("--exclude", a.places.exclude,
+              "In folders, run no files whose name, or path below the folder, fits this pattern (repeatable)")
+      .type_name("PATTERN");
+  line.option("-o,--output", a.output,
+              "Folder for the results; programs that are finished there and have not changed do not run again")
       .type_name("FOLDER")
       .required();
-  line.option("-j,--jobs", a.jobs, "Programs at once (0: as many as there are processors)")
+  line.option("-j,--jobs", a.jobs, "How many programs run at once (0: as many as there are processors)")
       .type_name("N")
       .shows_default()
       .not_with("--merge");
-  line.option("--shard", a.shard_text, "Run only part I of N, e.g. 2/8; results are written by --merge")
-      .type_name("I/N");
+  line.option("--shard", a.shard_text, "Run only part I of N, e.g. 2/8; --merge writes the results").type_name("I/N");
   line.option("--slurm", a.slurm_parts,
               "Submit N parts as a job array of Slurm, and a job that merges them (0: run here)")
       .at_least(0)
       .type_name("N");
-  line.option("--slurm-options", a.slurm_options, "For both jobs, e.g. '--partition=night --time=8:00:00'")
+  line.option("--slurm-options", a.slurm_options,
+              "Options of sbatch for both jobs, e.g. '--partition=night --time=8:00:00'")
       .type_name("TEXT")
       .only_with("--slurm");
   line.flag("--no-submit", a.holds_back, "With --slurm: write the scripts, and submit nothing").only_with("--slurm");
   line.flag("--merge", a.merges, "Run nothing: write the results of all parts");
   line.option("--changed-since", a.changed_since,
-              "Folder of an earlier batch: programs whose text, called programs, tables, dialect and plugins have not "
-              "changed since then keep their results (repeatable)")
+              "Folder of an earlier batch: programs keep their results of then where text, called programs, options, "
+              "tables, "
+              "dialect and plugins have not changed (repeatable)")
       .type_name("FOLDER")
       .not_with("--merge");
   line.flag("--retry", a.retries, "Run again what crashed, ran out of time or memory, or could not run")

@@ -243,16 +243,19 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "isogloss lsp, with a plugin that crashes"},
 
       // many programs: 0670-0679
-      {error, "IG-0670", "no program is left to run: {0} files were left out",
-       "Of a folder, files with an XML name, with NUL bytes, with a name that begins with a dot, and links are left "
-       "out, "
-       "and what --include and --exclude leave out. A program that is named itself is always run.",
+      {error, "IG-0670", "no program was found: {0} files and folders are ignored",
+       "In folders a batch ignores links, pipes, devices, names that begin with a dot, files that --include or "
+       "--exclude "
+       "rules out, and without --include also files named .xml and files with NUL bytes. A program that is named "
+       "itself always runs.",
        "isogloss batch tables -o results"},
-      {note, "IG-0671", "{0} files and folders below the given ones are no programs and were left out",
-       "Files with an XML name, with NUL bytes, with a name that begins with a dot, and links, and what --include and "
-       "--exclude leave out. A program that is named itself is always run.",
+      {note, "IG-0671", "{0} files and folders below the named folders are not programs: they are ignored",
+       "In folders a batch ignores links, pipes, devices, names that begin with a dot, files that --include or "
+       "--exclude "
+       "rules out, and without --include also files named .xml and files with NUL bytes. A program that is named "
+       "itself always runs.",
        "isogloss batch archive --exclude '*.txt' -o results"},
-      {note, "IG-0672", "{0} lines of the journal cannot be read: what they were for runs again",
+      {note, "IG-0672", "{0} lines of the journal cannot be read: their programs run again",
        "A line is cut off where a batch was killed while it wrote. All others count. A file of the journal that cannot "
        "be read counts as one line.",
        "isogloss batch archive -o results"},
@@ -265,14 +268,14 @@ std::vector<DiagnosticInfo> run_diagnostics() {
        "isogloss batch archive -o results --slurm 8"},
       {error, "IG-0675", "the batch cannot go on: {0}",
        "What is finished is kept in the folder of the results: when the cause is gone, the same command goes on from "
-       "there. A table, machine, dialect or plugin that has changed lets the batch begin anew, but not again and "
-       "again: give it a copy.",
+       "there. Where a table, machine, dialect or plugin changes again and again, give "
+       "the batch a copy of it.",
        "isogloss batch archive -o results, with no file descriptor left"},
       {note, "IG-0676", "the first line is the path of a file or folder, so this is read as a list of programs",
        "A list has a path in each line, as seen from the folder where the command runs. A file whose first line is a "
        "bare name is a program, for O0001 may be both: --list reads such a list.",
        "isogloss batch list.txt -o results"},
-      {warning, "IG-0677", "--changed-since finds no results of a batch here, so it spares no program",
+      {warning, "IG-0677", "--changed-since finds no results of a batch in this folder: it takes over none",
        "It takes the folder that an earlier batch had as -o. In a first batch there is none yet.",
        "isogloss batch archive -o results --changed-since misspelt"},
 
