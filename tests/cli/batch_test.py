@@ -610,6 +610,8 @@ class Batch(unittest.TestCase):
         self.assertEqual(list(self.results("archive/out")), ["part.nc"])
         self.batch(out="archive/out")  # its own results are no programs
         self.assertEqual(list(self.results("archive/out")), ["part.nc"])
+        self.batch(out="archive/next")  # nor are those of another batch
+        self.assertEqual(list(self.results("archive/next")), ["part.nc"])
         self.assertIn("[IG-0670]", self.batch("--include", "*.mpf", out="other", status=2).stderr)
         self.write("sub/x.mpf", GOOD)
         self.batch("--include", "*.mpf", "--include", "p*", "--exclude", "sub/*", out="other")

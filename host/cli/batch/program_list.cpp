@@ -85,6 +85,15 @@ bool is_program(const fs::directory_entry& entry, const fs::path& below, const P
   return !wanted.include.empty() || is_text_of_program(entry.path());
 }
 
+/// Results of another batch are no programs, wherever they lie.
+bool holds_results(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder / "journal", error), end; !error && at != end; at.increment(error))
+    if (at->path().extension() == ".jsonl" && at->is_regular_file(error))
+      return head_of(at->path()).starts_with("{\"Program\":");
+  return false;
+}
+
 void add_folder(const fs::path& folder, const fs::path& below, const ProgramPlaces& wanted, ProgramList& out,
                 Session& session) {
   std::error_code error, ignored;
@@ -92,7 +101,7 @@ void add_folder(const fs::path& folder, const fs::path& below, const ProgramPlac
     const fs::path name = at->path().filename();
     if (fs::equivalent(at->path(), wanted.results, ignored)) continue;
     const bool is_hidden = name.string().starts_with('.');
-    if (!is_hidden && at->is_directory(ignored) && !at->is_symlink(ignored))
+    if (!is_hidden && at->is_directory(ignored) && !at->is_symlink(ignored) && !holds_results(at->path()))
       add_folder(at->path(), below / name, wanted, out, session);
     else if (!is_hidden && is_program(*at, below / name, wanted, out))
       out.programs.push_back(name_of(at->path()));

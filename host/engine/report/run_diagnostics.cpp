@@ -244,16 +244,14 @@ std::vector<DiagnosticInfo> run_diagnostics() {
 
       // many programs: 0670-0679
       {error, "IG-0670", "no program was found: {0} files and folders are ignored",
-       "In folders a batch ignores links, pipes, devices, names that begin with a dot, files that --include or "
-       "--exclude "
-       "rules out, and without --include also files named .xml and files with NUL bytes. A program that is named "
-       "itself always runs.",
+       "In folders a batch ignores links, pipes, devices, names that begin with a dot, results of batches, files that "
+       "--include or --exclude rules out, and without --include also files named .xml and files with NUL bytes. A "
+       "program that is named itself always runs.",
        "isogloss batch tables -o results"},
       {note, "IG-0671", "{0} files and folders below the named folders are not programs: they are ignored",
-       "In folders a batch ignores links, pipes, devices, names that begin with a dot, files that --include or "
-       "--exclude "
-       "rules out, and without --include also files named .xml and files with NUL bytes. A program that is named "
-       "itself always runs.",
+       "In folders a batch ignores links, pipes, devices, names that begin with a dot, results of batches, files that "
+       "--include or --exclude rules out, and without --include also files named .xml and files with NUL bytes. A "
+       "program that is named itself always runs.",
        "isogloss batch archive --exclude '*.txt' -o results"},
       {note, "IG-0672", "{0} lines of the journal cannot be read: their programs run again",
        "A line is cut off where a batch was killed while it wrote. All others count. A file of the journal that cannot "
