@@ -132,8 +132,8 @@ const Finished* Journal::append(const Finished& finished, std::string& error) {
 }
 
 bool Journal::is_kept() const {
-  struct stat named {
-  }, written{};
+  using Stat = struct stat;
+  Stat named{}, written{};
   return descriptor_ < 0 || (::fstat(descriptor_, &written) == 0 && ::stat(name_.c_str(), &named) == 0 &&
                              named.st_dev == written.st_dev && named.st_ino == written.st_ino);
 }

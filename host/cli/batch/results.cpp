@@ -244,7 +244,7 @@ bool ResultFiles::write(const std::string& folder, Session& session) const {
     is_written = false;
   };
   const auto write = [&](const char* name, std::string_view text) {
-    Part& part = parts.emplace_back((std::filesystem::path(folder) / name).string());
+    Part& part = parts.emplace_back(Part{(std::filesystem::path(folder) / name).string(), nullptr});
     if (writer.is_alone()) OutputFile::remove_left_behind(part.path);
     std::string error;
     part.file = OutputFile::open(part.path, error);
