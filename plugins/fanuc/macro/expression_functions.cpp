@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <isogloss/cnc/degrees.hpp>
 #include <isogloss/cnc/units.hpp>
 
 #include "macro/expression_letters.hpp"
@@ -31,31 +32,6 @@ constexpr std::array functions{FunctionName{"SIN", MacroFunction::sin},   Functi
                                FunctionName{"POW", MacroFunction::pow},   FunctionName{"ADP", MacroFunction::adp},
                                FunctionName{"PRM", MacroFunction::prm}};
 
-/// Exact where the answer is: multiples of 30 degrees.
-double sine(double degrees) {
-  const double turn = std::remainder(degrees, 360.0);  // -180 to 180
-  const double a = std::abs(turn);
-  const double sign = turn < 0 ? -1 : 1;
-  if (a == 0 || a == 180) return 0;
-  if (a == 30 || a == 150) return sign * 0.5;
-  if (a == 90) return sign;
-  return std::sin(turn * radians_per_degree);
-}
-double cosine(double degrees) {
-  const double a = std::abs(std::remainder(degrees, 360.0));
-  if (a == 0) return 1;
-  if (a == 60) return 0.5;
-  if (a == 90) return 0;
-  if (a == 120) return -0.5;
-  if (a == 180) return -1;
-  return std::cos(a * radians_per_degree);
-}
-double tangent(double degrees) {
-  const double turn = std::remainder(degrees, 180.0);  // -90 to 90
-  if (turn == 0) return 0;
-  if (std::abs(turn) == 45) return turn < 0 ? -1 : 1;
-  return std::tan(turn * radians_per_degree);
-}
 double in_degrees(double radians) { return radians * degrees_per_radian; }
 
 /// Half away from zero.

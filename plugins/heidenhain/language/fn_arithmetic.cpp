@@ -1,5 +1,6 @@
 #include "language/fn_arithmetic.hpp"
 
+#include <isogloss/cnc/degrees.hpp>
 #include <isogloss/cnc/units.hpp>
 
 namespace heidenhain {
@@ -13,8 +14,8 @@ constexpr bool has_one_operand(unsigned fn) { return fn == 0 || (fn >= 5 && fn <
 double of_one_operand(unsigned fn, double x) {
   switch (fn) {
     case 5: return std::sqrt(x);
-    case 6: return std::sin(x * radians_per_degree);
-    case 7: return std::cos(x * radians_per_degree);
+    case 6: return sine(x);
+    case 7: return cosine(x);
     default: return x;
   }
 }

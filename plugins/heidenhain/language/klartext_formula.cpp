@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include <isogloss/cnc/degrees.hpp>
 #include <isogloss/cnc/units.hpp>
 
 #include "language/klartext_values.hpp"
@@ -134,9 +135,9 @@ struct FormulaParser {
     switch (function) {
       case 0: return std::sqrt(x);
       case 1: return x * x;
-      case 2: return std::sin(x * radians_per_degree);
-      case 3: return std::cos(x * radians_per_degree);
-      case 4: return std::tan(x * radians_per_degree);
+      case 2: return sine(x);
+      case 3: return cosine(x);
+      case 4: return tangent(x);
       case 5: return std::asin(x) / radians_per_degree;
       case 6: return std::acos(x) / radians_per_degree;
       case 7: return std::atan(x) / radians_per_degree;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <isogloss/cnc/canned_cycle.hpp>
+#include <isogloss/cnc/degrees.hpp>
 #include <isogloss/cnc/program_xyz.hpp>
 #include <isogloss/cnc/scale_and_mirror.hpp>
 #include <isogloss/cnc/units.hpp>
@@ -109,7 +110,7 @@ struct PolarCoordinate {
 
     const ig::Vec3 pole = b.get(pole_).or_else({});
     write(b, first, pole[plane.first] + radius * cosine(angle) - tool[plane.first]);
-    write(b, second, pole[plane.second] + radius * cosine(angle - 90) - tool[plane.second]);
+    write(b, second, pole[plane.second] + radius * sine(angle) - tool[plane.second]);
     return true;
   }
 
@@ -117,11 +118,6 @@ struct PolarCoordinate {
   double words_per_degree(const ig::Block& b) const { return b.is(system_, inch_) ? mm_per_inch : 1; }
 
   static double turned(double from, double by) { return rounded(std::remainder(from + std::fmod(by, 360), 360)); }
-  /// Cosine of an angle in degrees, exact at multiples of 90.
-  static double cosine(double degrees) {
-    const double d = std::fabs(std::remainder(degrees, 360));
-    return d == 90 ? 0 : std::cos(d * radians_per_degree);
-  }
 
   static void write(ig::Block& b, ig_field word, double value) {
     const ig_value v{.number = rounded(value)};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <isogloss/cnc/degrees.hpp>
 #include <isogloss/cnc/units.hpp>
 
 #include "language/siemens_expression.hpp"
@@ -27,25 +28,6 @@ struct Function {
 
 constexpr double no_result = std::numeric_limits<double>::quiet_NaN();
 constexpr double not_given = std::numeric_limits<double>::infinity();  ///< of a parameter that the call leaves out
-
-/// The sine at quarter turns, where it is exact; at other angles `otherwise`.
-double exact_sine(double degrees, double otherwise) {
-  const double quarter = std::remainder(degrees, 360);
-  if (quarter == 0 || std::fabs(quarter) == 180) return 0;
-  if (quarter == 90) return 1;
-  return quarter == -90 ? -1 : otherwise;
-}
-
-double sine(double degrees) { return exact_sine(degrees, std::sin(std::remainder(degrees, 360) * radians_per_degree)); }
-
-double cosine(double degrees) {
-  return exact_sine(degrees + 90, std::cos(std::remainder(degrees, 360) * radians_per_degree));
-}
-
-double tangent(double degrees) {
-  const double angle = std::remainder(degrees, 180);
-  return std::fabs(angle) == 90 ? no_result : std::tan(angle * radians_per_degree);
-}
 
 /// The number at the beginning of a text, 1.5EX-3 too, and where it ends.
 struct NumberOfText {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include <isogloss/cnc/degrees.hpp>
+
 #include "macro/macro_expression.hpp"
 
 namespace syntec {
@@ -11,15 +13,6 @@ using ig::cnc::is_digit;
 using ig::cnc::is_letter;
 
 namespace {
-
-/// Exact at multiples of 90 degrees.
-double sine(double degrees) {
-  const double turn = std::fmod(degrees, 360);
-  if (std::fmod(turn, 180) == 0) return 0;
-  if (turn == 90 || turn == -270) return 1;
-  if (turn == 270 || turn == -90) return -1;
-  return std::sin(turn * ig::cnc::radians_per_degree);
-}
 
 /// What only the machine knows, or what gives it orders and answers.
 constexpr std::string_view known_to_machine[] = {
@@ -200,11 +193,11 @@ std::optional<MacroValue> MacroExpression::mathematical(std::string_view name, c
   if (name == "CEIL") return whole_of(std::ceil(x), begin);
   if (name == "FLOOR") return whole_of(std::floor(x), begin);
   if (name == "ABS") out = std::abs(x);
-  if (name == "SIN") out = sine(x);
-  if (name == "COS") out = sine(x + 90);
+  if (name == "SIN") out = ig::cnc::sine(x);
+  if (name == "COS") out = ig::cnc::cosine(x);
   if (name == "TAN") {
-    if (sine(x + 90) == 0) return outside();
-    out = std::fmod(x, 180) == 45 ? 1 : sine(x) / sine(x + 90);
+    out = ig::cnc::tangent(x);
+    if (std::isnan(out)) return outside();
   }
   if (name == "ASIN" || name == "ACOS") {
     if (!(x >= -1 && x <= 1)) return outside();
