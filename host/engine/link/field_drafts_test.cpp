@@ -153,7 +153,7 @@ TEST_CASE("X Y Z of a section lie side by side in one word of bits, and so do th
   }
 }
 
-TEST_CASE("the first codes have their bits in one word, however many fields stand before them") {
+TEST_CASE("codes and words begin a word of bits, however many fields stand before them") {
   for (int before = 0; before <= 64; before += 9) {
     CAPTURE(before);
     Plugin plugin("p");
@@ -164,14 +164,17 @@ TEST_CASE("the first codes have their bits in one word, however many fields stan
     };
     for (int i = 0; i < before; ++i) add("Acme.M" + std::to_string(i), IG_READ | IG_WRITE, IG_NUMBER, IG_LIFE_MODAL);
     for (const char* axis : {"X", "Y", "Z"}) add(std::string("Acme.") + axis, IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK);
-    for (int i = 0; i < 64; ++i) add("Acme.B" + std::to_string(i), IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK);
-    for (int i = 0; i < 64; ++i) add("Parsing.G" + std::to_string(900 + i), IG_TAKE | IG_WAKE, IG_CODE, IG_LIFE_BLOCK);
+    for (int i = 0; i < 140; ++i) add("Acme.B" + std::to_string(i), IG_WRITE, IG_NUMBER, IG_LIFE_BLOCK);
+    for (int i = 0; i < 67; ++i) add("Parsing.G" + std::to_string(900 + i), IG_TAKE | IG_WAKE, IG_CODE, IG_LIFE_BLOCK);
+    for (int i = 0; i < 64; ++i) add("Parsing.W" + std::to_string(i), IG_TAKE, IG_NUMBER, IG_LIFE_WORD);
     Hand hand{"p"};
     hand.add("Some");
     const LinkedHand chain(hand, plugin);
     const Layout& layout = chain.layout();
-    for (int i = 0; i < 64; ++i)
+    for (int i = 0; i < 64; ++i) {
       CHECK(layout.id("Parsing.G" + std::to_string(900 + i)) % 64 == static_cast<ig_field>(i));
+      CHECK(layout.id("Parsing.W" + std::to_string(i)) % 64 == static_cast<ig_field>(i));
+    }
     const ig_field x = layout.id("Acme.X");
     CHECK(layout.id("Acme.Y") == x + 1);
     CHECK(layout.id("Acme.Z") == x + 2);

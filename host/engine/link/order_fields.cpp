@@ -1,6 +1,6 @@
 // Dense ids: modal fields first, among them those that are read as `previous`, with their copies; then the block's,
-// switches, codes from the beginning of a word of bits on, words, words of codes (Parsing.CODE.X), those of each code
-// together.
+// switches, codes, words, words of codes (Parsing.CODE.X), those of each code together. Codes and words each begin a
+// word of bits.
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -24,6 +24,7 @@ enum Rank : std::size_t {
   code_rank,
   filling_rank,
   word_rank,
+  rest_rank,
   code_word_rank,
   ranks
 };
@@ -99,23 +100,29 @@ void keep_codes_whole(const Drafts& drafts, std::vector<std::uint32_t>& numbers,
   }
 }
 
-/// The codes that are mentioned first, such as those of motion, are looked for in nearly every block: their bits lie in
-/// one word, whatever number of fields stands before them, because fields of the block are placed behind the codes.
-void begin_word_with_codes(const Drafts& drafts, Order& order, std::size_t copies) {
+/// The codes that are mentioned first, such as those of motion, are looked for in nearly every block, and so are the
+/// words: the bits of each begin a word, whatever number of fields stands before them, because fields of the block fill
+/// the room behind the codes, and the rest of them stand behind the words.
+void begin_words_of_bits(const Drafts& drafts, Order& order, std::size_t copies) {
   std::size_t before = copies;
   for (std::size_t r = 0; r < code_rank; ++r) before += order[r].size();
-  std::vector<std::uint32_t> kept;
+  const std::size_t behind_codes = (word - order[code_rank].size() % word) % word;
+  std::size_t moved = before % word;
+  if (moved < behind_codes) moved += word;
+  std::vector<std::uint32_t> kept, filling;
   std::vector<std::uint32_t>& numbers = order[block_rank];
   for (std::size_t i = 0; i < numbers.size();) {
     const std::size_t size = begins_point(drafts, numbers, i) ? 3 : 1;
-    const bool is_moved = before % word != 0 && size == 1 && drafts[numbers[i]].info.type != IG_TRANSFORM;
-    std::vector<std::uint32_t>& to = is_moved ? order[filling_rank] : kept;
+    const bool is_moved = filling.size() < moved && size == 1 && drafts[numbers[i]].info.type != IG_TRANSFORM;
+    std::vector<std::uint32_t>& to = is_moved ? filling : kept;
     to.insert(to.end(), numbers.begin() + static_cast<std::ptrdiff_t>(i),
               numbers.begin() + static_cast<std::ptrdiff_t>(i + size));
-    if (is_moved) --before;
     i += size;
   }
   numbers = std::move(kept);
+  const auto middle = filling.begin() + static_cast<std::ptrdiff_t>(std::min(behind_codes, filling.size()));
+  order[filling_rank].assign(filling.begin(), middle);
+  order[rest_rank].assign(middle, filling.end());
 }
 
 /// By section; in a section what is carried first, words last, each in the order in which it is mentioned.
@@ -150,7 +157,7 @@ FieldIds order_fields(Linking& linking, FieldDrafts& field_drafts) {
   if (previous.size() > maximum_previous)
     linking.report("IG-0224", {linking.out.dialect.file.string(), 0, 0},
                    {std::to_string(previous.size()), std::to_string(maximum_previous)});
-  begin_word_with_codes(drafts, order, previous.size());
+  begin_words_of_bits(drafts, order, previous.size());
 
   FieldIds ids{std::vector<ig_field>(drafts.size(), IG_NO_FIELD), std::vector<ig_field>(drafts.size(), IG_NO_FIELD)};
   ig_field next = 0;
