@@ -115,7 +115,7 @@ struct FlagSyntax {
             b.set_words(words.data(), count);
             count = 0;
           }
-          if (stands_already(b, {words.data(), count}, field))
+          if (stands_already({words.data(), count}, field) || (position > 0 && stands_before(b, field)))
             b.report(ig::diag("ISO-0547"), ig::Where::columns(next, end), trim(piece(text, next, end)));
           words[count++] = {field, column(next), column(end), ig_value{}, 0, 0};
         }
@@ -142,10 +142,12 @@ struct FlagSyntax {
     if (number.ok && (number.value == 50 || number.value == 52)) b.raise(parameters);
   }
 
-  static bool stands_already(const ig::Block& b, std::span<const ig_word> words, ig_field field) {
+  static bool stands_already(std::span<const ig_word> words, ig_field field) {
+    return std::any_of(words.begin(), words.end(), [&](const ig_word& w) { return w.field == field; });
+  }
+  static bool stands_before(const ig::Block& b, ig_field field) {
     ig_value unused;
-    return std::any_of(words.begin(), words.end(), [&](const ig_word& w) { return w.field == field; }) ||
-           b.get(field, unused);
+    return b.get(field, unused);
   }
 
   void enter(std::string_view name, ig_field field) {
