@@ -138,8 +138,8 @@ std::optional<MacroValue> MacroExpression::unary() {
     return whole_of(is_negative ? -complement : complement, begin);
   }
   // The sign belongs to a number: -2147483648 is an integer, 2147483648 is none.
-  const bool is_decimal = (is_digit(here()) && to_upper(at(text, begin + 1)) != 'X') || here() == '.';
-  if (is_decimal) return literal(is_negative);
+  const bool is_hexadecimal = here() == '0' && to_upper(at(text, begin + 1)) == 'X';
+  if (!is_hexadecimal && (is_digit(here()) || here() == '.')) return literal(is_negative);
   auto out = primary();
   if (!out || !is_negative || out->is_vacant()) return out;
   const auto number = operand(*out, begin);
@@ -187,7 +187,6 @@ std::optional<MacroValue> MacroExpression::literal(bool is_negative) {
 
 std::optional<MacroValue> MacroExpression::hexadecimal() {
   const std::size_t begin = position_;
-  if (here() != '0') return fail_here();
   std::uint32_t bits = 0;
   const char* const first = text_.text.data() + position_ + 2;
   const auto [end, error] = std::from_chars(first, text_.text.data() + text_.text.size(), bits, 16);
