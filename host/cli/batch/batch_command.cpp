@@ -335,9 +335,8 @@ void add_to(CommandLine& line, BatchArguments& a) {
   line.flag("--no-submit", a.holds_back, "With --slurm: write the scripts, and submit nothing").only_with("--slurm");
   line.flag("--merge", a.merges, "Run nothing: write the results of all parts");
   line.option("--changed-since", a.changed_since,
-              "Folder of an earlier batch: programs keep their results of then where text, called programs, options, "
-              "tables, "
-              "dialect and plugins have not changed (repeatable)")
+              "Folder of an earlier batch: a program keeps its result from there where its text, called programs, "
+              "options, tables, dialect and plugins have not changed (repeatable)")
       .type_name("FOLDER")
       .not_with("--merge");
   line.flag("--retry", a.retries, "Run again what crashed, ran out of time or memory, or could not run")

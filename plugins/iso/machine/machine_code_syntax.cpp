@@ -37,12 +37,14 @@ struct MachineCodeSyntax {
   ig::Out<ig::Symbol> term_{"SubProgramCall.Term"};
   ig::Flow flow_;
   SkipLayers layers_;
+  ig::Signal has_words_end_{"MachineCode.~WordsEnd", ig::read | ig::write};
+  std::size_t words_end_ = 0;  // of the G codes of the block that has raised it
 
   MachineCodeSyntax() {
     if (!machine_.holds_any()) ig::stay_idle();
   }
 
-  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) const {
+  std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (!machine_.holds_any()) return position;
     const std::size_t number = skip_blanks(text, position + 1), end = number_end(text, number);
     if (end == number || std::string_view("=Oo.").find(at(text, end)) != std::string_view::npos) return position;
@@ -51,7 +53,7 @@ struct MachineCodeSyntax {
     if (row == nullptr || !b.is_in_turn()) return position;
     if (calls_ == Calls::passed_on && arguments_of(*row) != CodeArguments::none) return position;
     const bool is_g = to_upper(text[position]) == 'G';
-    const std::size_t words_end = is_g ? layers_.executed_end(text, position) : own_words_end(text, end);
+    const std::size_t words_end = is_g ? executed_end(b, text, position) : own_words_end(text, end);
     if (!flow_.is_indexing()) record_.add(b, *row, ig::Where::columns(position, end), piece(text, position, words_end));
     if (calls_ == Calls::here && !flow_.is_indexing())
       report_lost_arguments(b, *row, ig::Where::columns(position, end));
@@ -85,6 +87,13 @@ struct MachineCodeSyntax {
       b.report(ig::diag("ISO-0571"), ig::Where::block(), code, program, answer.reason);
     else if (answer.status == IG_GO_TAKEN)
       b.report(ig::diag("ISO-0493"), ig::Where::block(), code);
+  }
+
+  /// Where the words end that are executed, looked for once in a block.
+  std::size_t executed_end(ig::Block& b, std::string_view text, std::size_t position) {
+    if (b.is_raised(has_words_end_)) return words_end_;
+    b.raise(has_words_end_);
+    return words_end_ = layers_.executed_end(text, position);
   }
 
   /// The end of 92, 54.1 and 92. with its point. Of "54. 1", which FlagSyntax may join, the end is before the point.

@@ -161,11 +161,13 @@ class MachineCodeRecord {
     }
     const bool is_family = to_view(row.name).ends_with('*') && !trim(text).empty();
     if (row.does == IG_CODE_IS_REFUSED)
-      b.report(diag("ISO-0570"), where, is_family ? trim(text) : to_view(row.name), to_view(row.text));
+      b.report(diag("ISO-0570"), where, is_family ? trim(text).substr(0, most_shown) : to_view(row.name),
+               to_view(row.text));
   }
 
  private:
   static constexpr std::size_t most_text = 1000;  // that is kept of a block
+  static constexpr std::size_t most_shown = 60;   // of a code with its words
 
   template <class Given>
   void add_fields(Block& b, const ig_machine_code& row, Where where, const Given& given) const {
@@ -204,14 +206,16 @@ class MachineCodeRecord {
     const bool is_family = to_view(row.name).ends_with('*');
     if (text.empty() || (!is_family && text.find_first_of(" \t\n(=,") == std::string_view::npos)) return;
     std::string words;
+    const std::size_t room = most_text - std::min(most_text, b.text(words_).size());
     for (const char c : text) {
+      if (words.size() >= room) return;
       const bool is_space = is_blank(c) || c == '\n' || c == '\r' || c == '~';
       if (!is_space)
         words += c;
       else if (!words.ends_with(' '))
         words += ' ';
     }
-    if (b.text(words_).size() + words.size() < most_text) append(b, words_, words);
+    append(b, words_, words);
   }
 
   int times_recorded(const Block& b, std::string_view name) const {
