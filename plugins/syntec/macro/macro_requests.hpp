@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <isogloss/cnc/block_skip.hpp>
 #include <isogloss/cnc/program_name.hpp>
 
 #include "macro/macro_environment.hpp"
@@ -41,8 +42,9 @@ inline std::optional<std::uint32_t> repeats_of(ig::Block& b, const MacroValue& l
 /// G65, G66 and G66.1.
 constexpr bool is_macro_call(double code) { return code == 65 || code == 66 || code == 66.1; }
 
-/// The words of a block in ISO format up to a call; other syntaxes report what is wrong with them.
-inline Arguments iso_arguments(std::string_view text, std::size_t position) {
+/// The words of a block in ISO format up to a call, or to a sign of block skip whose layer is on; other syntaxes report
+/// what is wrong with them.
+inline Arguments iso_arguments(std::string_view text, std::size_t position, const ig::cnc::SkipLayers& layers) {
   Arguments out;
   using namespace ig::cnc;
   while (position < text.size()) {
@@ -50,6 +52,12 @@ inline Arguments iso_arguments(std::string_view text, std::size_t position) {
     const char letter = to_upper(at(text, position));
     if (letter == '(') {
       position = skip_bracketed(text, position);
+      continue;
+    }
+    if (letter == '/') {
+      const SkipSign sign = read_skip_sign(text, position);
+      if (layers.is_on(sign.layer)) break;
+      position = sign.end;
       continue;
     }
     if (!is_letter(letter)) break;

@@ -39,6 +39,7 @@ struct SyntecMacroCall {
   ig::TextField file_name_{"SubProgramCall.FileName", ig::write};
   SharedScan scan_;
   BlockArguments arguments_;
+  SkipLayers layers_;
   MacroEnvironment environment_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
@@ -48,9 +49,9 @@ struct SyntecMacroCall {
     const ig_place here = environment_.flow.here(b);
     environment_.enter(b);
     if (code.value == 65)
-      environment_.store().offer(iso_arguments(text, code.end), here.frame, here.line);
+      environment_.store().offer(iso_arguments(text, code.end, layers_), here.frame, here.line);
     else
-      environment_.store().offer_modal(iso_arguments(text, code.end), here.frame);
+      environment_.store().offer_modal(iso_arguments(text, code.end, layers_), here.frame);
     return position;
   }
 
