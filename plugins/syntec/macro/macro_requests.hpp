@@ -42,9 +42,9 @@ inline std::optional<std::uint32_t> repeats_of(ig::Block& b, const MacroValue& l
 /// G65, G66 and G66.1.
 constexpr bool is_macro_call(double code) { return code == 65 || code == 66 || code == 66.1; }
 
-/// The words of a block in ISO format up to a call, or to a sign of block skip whose layer is on; other syntaxes report
-/// what is wrong with them.
-inline Arguments iso_arguments(std::string_view text, std::size_t position, const ig::cnc::SkipLayers& layers) {
+/// The words of a block in ISO format up to a call, or to the sign from which the block was skipped: the first one of
+/// `skipped_layer`, which is 0 where nothing was skipped. Other syntaxes report what is wrong with the words.
+inline Arguments iso_arguments(std::string_view text, std::size_t position, std::int64_t skipped_layer) {
   Arguments out;
   using namespace ig::cnc;
   while (position < text.size()) {
@@ -56,7 +56,7 @@ inline Arguments iso_arguments(std::string_view text, std::size_t position, cons
     }
     if (letter == '/') {
       const SkipSign sign = read_skip_sign(text, position);
-      if (layers.is_on(sign.layer)) break;
+      if (static_cast<std::int64_t>(sign.layer) == skipped_layer) break;
       position = sign.end;
       continue;
     }

@@ -36,26 +36,25 @@ struct SyntecMacroCall {
   ig::Codes return_{{"M99"}, ig::read | ig::wake}, end_{{"G67"}, ig::read | ig::wake};
   ig::In<double> q_{"Parsing.Q"};
   ig::Signal program_{"Parsing.~MacroProgramName", ig::read | ig::wake};
+  ig::Signal iso_call_{"Parsing.~SyntecIsoCall", ig::read | ig::write | ig::wake};
+  ig::In<std::int64_t> skipped_layer_{"BlockSkip.Layer"};
   ig::TextField file_name_{"SubProgramCall.FileName", ig::write};
   SharedScan scan_;
   BlockArguments arguments_;
-  SkipLayers layers_;
   MacroEnvironment environment_;
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     const ig::Decimal code = ig::read_decimal(text, skip_blanks(text, position + 1));
     if (!code.ok || !is_macro_call(code.value) || arguments_.is_macro(b) || environment_.flow.is_indexing())
       return position;
-    const ig_place here = environment_.flow.here(b);
-    environment_.enter(b);
-    if (code.value == 65)
-      environment_.store().offer(iso_arguments(text, code.end, layers_), here.frame, here.line);
-    else
-      environment_.store().offer_modal(iso_arguments(text, code.end, layers_), here.frame);
+    b.raise(iso_call_);
+    is_modal_ = code.value != 65;
+    words_begin_ = code.end;
     return position;
   }
 
   ig::Status build(ig::Block& b) {
+    if (b.is_raised(iso_call_)) offer(b);
     if (b.find(end_) && !arguments_.is_macro(b)) {
       environment_.enter(b);
       environment_.store().end_offer();
@@ -82,6 +81,17 @@ struct SyntecMacroCall {
   }
 
  private:
+  /// The words of a call in ISO format, which FanucMacroCallSyntax makes: here it is known what of them was skipped.
+  void offer(ig::Block& b) {
+    const ig_place here = environment_.flow.here(b);
+    Arguments words = iso_arguments(b.source(), words_begin_, b.get_or(skipped_layer_, std::int64_t{0}));
+    environment_.enter(b);
+    if (is_modal_)
+      environment_.store().offer_modal(std::move(words), here.frame);
+    else
+      environment_.store().offer(std::move(words), here.frame, here.line);
+  }
+
   void execute(ig::Block& b, const WordCall& call) {
     Arguments given = arguments_.read(b, scan_);
     const std::string name = b.is_raised(program_) ? scan_->program : std::string();
@@ -142,6 +152,10 @@ struct SyntecMacroCall {
     }
     if (!unread.empty()) b.report(ig::diag("SYN-0079"), ig::Where::block(), std::string_view(unread));
   }
+
+  // Of the call in ISO format in the block:
+  bool is_modal_ = false;
+  std::size_t words_begin_ = 0;
 };
 
 const ig::Register<SyntecMacroCall> syntec_macro_call_syntax;

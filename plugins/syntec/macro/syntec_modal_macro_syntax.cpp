@@ -25,7 +25,7 @@ struct SyntecModalMacro {
   ig::In<ig::Symbol> move_{"MotionEvent.Form"}, steps_{"CompoundMotion.Term"};
   ig::Signal further_axes_moved_{"FurtherAxes.~Moved", ig::read};
   FormatField format_{ig::read};
-  SkipLayers layers_;
+  ig::In<std::int64_t> skipped_layer_{"BlockSkip.Layer"};
   SharedScan scan_;
   MacroEnvironment environment_;
 
@@ -49,7 +49,8 @@ struct SyntecModalMacro {
     if (!moves && !(call.each_block && b.is_raised(words_))) return ig::Status::unchanged;
     const std::string_view text = b.source();
     store.set_trap(call.tag, format_.is_macro(b) ? scan_->arguments
-                                                 : iso_arguments(text, skip_head(text, 0, text.size()), layers_));
+                                                 : iso_arguments(text, skip_head(text, 0, text.size()),
+                                                                 b.get_or(skipped_layer_, std::int64_t{0})));
     store.forget_frame();
     const ig::Flow::Answer answer =
         request_call(b, environment_.flow, call.number, call.program, call.repeats, call.tag);
