@@ -140,6 +140,8 @@ void allow_with_arguments(Rules& rules, int socket) {
   // Asked, not set.
   rules.allow("prlimit64", ISOGLOSS_IS(2, 0));
   rules.allow("prctl", ISOGLOSS_IS(0, PR_SET_NAME));
+  // Of its own threads: the one that reads ahead leaves the processor of the run.
+  rules.allow("sched_setaffinity", ISOGLOSS_IS(0, 0));
   rules.allow("kill", ISOGLOSS_IS(0, ::getpid()));
   rules.allow("tgkill", ISOGLOSS_IS(0, ::getpid()));
 #ifdef ISOGLOSS_SANITIZED

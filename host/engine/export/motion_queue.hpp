@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "export/motion_reader.hpp"
+#include "run/apart.hpp"
 
 namespace isogloss {
 
@@ -103,7 +104,8 @@ class MotionQueue {
 
  private:
   // To wake a thread on another core takes as long as to write some hundred lines; but what waits here is lost where a
-  // plugin ends the process.
+  // plugin ends the process. Where the writer shares its processor it is away for milliseconds, in which the producer
+  // fills some batches.
   static constexpr std::size_t batch_size = 2048;
   static constexpr std::size_t cache_line = 64;
   enum class Kind : std::uint8_t { file, move, dwell, orient, tool, spindle, coolant, stop, end };
@@ -161,7 +163,7 @@ class MotionQueue {
     Batch& batch_;
   };
   static constexpr std::string_view planes[] = {"XY", "ZX", "YZ"};
-  static constexpr std::size_t batch_count = 3;
+  static constexpr std::size_t batch_count = 8;
 
   void make_room() {
     if (filling_->count == batch_size) hand_over();
@@ -227,18 +229,22 @@ class MotionQueue {
 #endif
     std::unique_lock lock(mutex_);
     ++submitted_;
+    producer_on_ = sched_getcpu();
     changed_.notify_all();
     changed_.wait(lock, [&] { return submitted_ - written_ < batch_count; });
     fill(batches_[submitted_ % batch_count]);
   }
 
   void work() {
+    Apart apart;
     std::unique_lock lock(mutex_);
     while (true) {
       changed_.wait(lock, [&] { return stops_ || written_ < submitted_; });
       if (stops_) return;
       Batch& batch = batches_[written_ % batch_count];
+      const int producer_on = producer_on_;
       lock.unlock();
+      apart.from(producer_on);
       try {
         write(batch);
       } catch (...) {  // an output of the embedding program's own: drain() hands it on
@@ -315,6 +321,7 @@ class MotionQueue {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::size_t submitted_ = 0, written_ = 0;
+  int producer_on_ = -1;  // the processor
   bool stops_ = false;
   std::exception_ptr failure_;
   std::thread worker_;

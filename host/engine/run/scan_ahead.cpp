@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "run/apart.hpp"
 #include "run/calling.hpp"
 
 namespace isogloss {
@@ -110,6 +111,7 @@ void ScanAhead::give_back() {
   if (!std::exchange(has_batch_, false)) return;
   std::unique_lock lock(mutex_);
   ++done_;
+  run_on_.store(sched_getcpu(), std::memory_order_relaxed);
   const bool is_half_empty = ready_ - done_ <= batches / 2;
   lock.unlock();
   if (is_half_empty) changed_.notify_one();
@@ -120,6 +122,7 @@ void ScanAhead::give_back() {
 void ScanAhead::ask(std::uint64_t place) {
   patience_ = hits_ < enough_hits ? std::min(2 * patience_, most_patience) : least_patience;
   from_ = place + lead;
+  run_on_.store(sched_getcpu(), std::memory_order_relaxed);
   hits_ = misses_ = 0;
   give_back();
   {
@@ -133,6 +136,7 @@ void ScanAhead::ask(std::uint64_t place) {
 
 void ScanAhead::work() try {
   block_signals();
+  apart_.emplace();
   chain_ = std::make_unique<Chain>(linked_, std::move(settings_), ignored_);
   chain_->flow = this;
   filling_ = &shared_[0];
@@ -144,6 +148,7 @@ void ScanAhead::work() try {
     changed_.wait(lock, [this] { return stops_ || asked_ != 0; });
     if (stops_) return;
   }
+  apart_->from(run_on_.load(std::memory_order_relaxed));
   for (Line line; !is_useless();) {
     if (filling_->asked != asked_ && !answer()) return;
     const bool has_line = cursor_.next(line);
@@ -187,6 +192,7 @@ bool ScanAhead::hand_over() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return stops_ || ready_ - done_ < batches; });
   if (stops_) return false;
+  apart_->from(run_on_.load(std::memory_order_relaxed));
   filling_ = &shared_[ready_ % batches];
   filling_->asked = asked;
   filling_->size = 0;

@@ -4,10 +4,12 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "contract/flow_host.hpp"
 #include "isogloss/engine/scanned_line.hpp"
+#include "run/apart.hpp"
 #include "run/cursor.hpp"
 
 namespace isogloss {
@@ -88,6 +90,7 @@ class ScanAhead : FlowHost {
   const LinkedDialect& linked_;
   ChainSettings settings_;
   std::unique_ptr<Chain> chain_;
+  std::optional<Apart> apart_;
   std::unique_ptr<Source> source_;
   std::string file_;
   Cursor cursor_;
@@ -101,6 +104,7 @@ class ScanAhead : FlowHost {
   std::atomic<std::uint32_t> ready_ = 0;  // batches so far
   std::uint32_t done_ = 0;                // of these the run has so many
   std::atomic<std::uint32_t> asked_ = 0;  // questions so far
+  std::atomic<int> run_on_ = -1;          // the processor of the run
   std::atomic<bool> is_built_ = false;    // the thread's chain: it can be asked
   bool stops_ = false, has_ended_ = false;
   std::thread thread_;
