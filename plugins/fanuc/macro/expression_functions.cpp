@@ -91,9 +91,9 @@ Fault function_value(MacroFunction which, double x, double y, const ExpressionRu
       return of(tangent(x));
     case MacroFunction::asin: {
       if (!(std::abs(x) <= 1)) return no_value;
-      return of(arc(in_degrees(std::asin(x)), rules));
+      return of(arc(arc_sine(x), rules));
     }
-    case MacroFunction::acos: return std::abs(x) <= 1 ? of(in_degrees(std::acos(x))) : no_value;
+    case MacroFunction::acos: return std::abs(x) <= 1 ? of(arc_cosine(x)) : no_value;
     case MacroFunction::atan: return of(in_degrees(std::atan(x)));
     case MacroFunction::sqrt: return x >= 0 ? of(std::sqrt(x)) : no_value;
     case MacroFunction::abs: return of(std::abs(x));

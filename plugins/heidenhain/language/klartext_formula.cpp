@@ -138,8 +138,8 @@ struct FormulaParser {
       case 2: return sine(x);
       case 3: return cosine(x);
       case 4: return tangent(x);
-      case 5: return std::asin(x) / radians_per_degree;
-      case 6: return std::acos(x) / radians_per_degree;
+      case 5: return arc_sine(x);
+      case 6: return arc_cosine(x);
       case 7: return std::atan(x) / radians_per_degree;
       case 8: return std::fabs(x);
       case 9: return std::trunc(x);

@@ -201,7 +201,7 @@ std::optional<MacroValue> MacroExpression::mathematical(std::string_view name, c
   }
   if (name == "ASIN" || name == "ACOS") {
     if (!(x >= -1 && x <= 1)) return outside();
-    out = (name == "ASIN" ? std::asin(x) : std::acos(x)) * ig::cnc::degrees_per_radian;
+    out = name == "ASIN" ? ig::cnc::arc_sine(x) : ig::cnc::arc_cosine(x);
   }
   if (name == "ATAN") out = std::atan(x) * ig::cnc::degrees_per_radian;
   if (name == "ATAN2") {

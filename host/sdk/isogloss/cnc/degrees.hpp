@@ -1,4 +1,4 @@
-/// Sine, cosine and tangent of angles in degrees. Controls calculate with decimal digits, and a program may ask whether
+/// Sine, cosine and tangent of angles in degrees, and the angles of a sine and a cosine. Controls calculate with decimal digits, and a program may ask whether
 /// SIN[30] is 0.5: where the answer has one digit, it is exact here.
 #pragma once
 
@@ -36,6 +36,18 @@ inline double tangent(double degrees) {
   if (std::abs(turn) == 45) return turn < 0 ? -1 : 1;
   if (std::abs(turn) == 90) return std::numeric_limits<double>::quiet_NaN();
   return std::tan(turn * radians_per_degree);
+}
+
+/// -90 to 90; NaN where the sine is beyond -1 and 1.
+inline double arc_sine(double sine) {
+  if (std::abs(sine) == 0.5) return sine < 0 ? -30 : 30;
+  return std::asin(sine) * degrees_per_radian;
+}
+
+/// 0 to 180; NaN where the cosine is beyond -1 and 1.
+inline double arc_cosine(double cosine) {
+  if (std::abs(cosine) == 0.5) return cosine < 0 ? 120 : 60;
+  return std::acos(cosine) * degrees_per_radian;
 }
 
 }  // namespace ig::cnc

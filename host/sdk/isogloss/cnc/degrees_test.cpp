@@ -30,6 +30,23 @@ TEST_CASE("answers of one digit are exact, in each turn") {
   }
 }
 
+TEST_CASE("whole angles of a sine and a cosine are exact") {
+  CHECK(arc_sine(0.5) == 30);
+  CHECK(arc_sine(-0.5) == -30);
+  CHECK(arc_sine(1) == 90);
+  CHECK(arc_sine(-1) == -90);
+  CHECK(arc_sine(0) == 0);
+  CHECK(arc_cosine(0.5) == 60);
+  CHECK(arc_cosine(-0.5) == 120);
+  CHECK(arc_cosine(1) == 0);
+  CHECK(arc_cosine(-1) == 180);
+  CHECK(arc_cosine(0) == 90);
+  CHECK(arc_sine(0.3) == std::asin(0.3) * degrees_per_radian);
+  CHECK(arc_cosine(0.3) == std::acos(0.3) * degrees_per_radian);
+  CHECK(std::isnan(arc_sine(1.001)));
+  CHECK(std::isnan(arc_cosine(-1.001)));
+}
+
 TEST_CASE("other angles are those of the C++ library") {
   CHECK(sine(10) == std::sin(10 * radians_per_degree));
   CHECK(cosine(370) == std::cos(10 * radians_per_degree));
