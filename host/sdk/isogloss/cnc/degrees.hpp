@@ -1,5 +1,6 @@
-/// Sine, cosine and tangent of angles in degrees, and the angles of a sine and a cosine. Controls calculate with decimal digits, and a program may ask whether
-/// SIN[30] is 0.5: where the answer has one digit, it is exact here.
+/// Sine, cosine and tangent of angles in degrees, and the angles of a sine and a cosine. Controls calculate with
+/// decimal digits, and a program may ask whether SIN[30] is 0.5: where the answer has one digit, or is an angle of
+/// whole degrees, it is exact here.
 #pragma once
 
 #include <cmath>
