@@ -50,5 +50,15 @@ TEST_CASE("a thread on another processor than the one that it is told stays free
     apart.from(CPU_SETSIZE);
     const cpu_set_t now = allowed();
     CHECK(CPU_EQUAL(&before, &now));
+
+    // Somebody has kept it on this one meanwhile, and asks it to leave one that it does not run on.
+    const auto here = static_cast<unsigned>(sched_getcpu());
+    cpu_set_t kept;
+    CPU_ZERO(&kept);
+    CPU_SET(here, &kept);
+    REQUIRE(sched_setaffinity(0, sizeof kept, &kept) == 0);
+    apart.from(here == CPU_SETSIZE - 1 ? 0 : CPU_SETSIZE - 1);
+    const cpu_set_t then = allowed();
+    CHECK(CPU_EQUAL(&kept, &then));
   });
 }

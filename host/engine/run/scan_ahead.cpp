@@ -7,7 +7,6 @@
 #include <cstring>
 #include <utility>
 
-#include "run/apart.hpp"
 #include "run/calling.hpp"
 
 namespace isogloss {
@@ -122,9 +121,9 @@ void ScanAhead::give_back() {
 void ScanAhead::ask(std::uint64_t place) {
   patience_ = hits_ < enough_hits ? std::min(2 * patience_, most_patience) : least_patience;
   from_ = place + lead;
-  run_on_.store(sched_getcpu(), std::memory_order_relaxed);
   hits_ = misses_ = 0;
   give_back();
+  run_on_.store(sched_getcpu(), std::memory_order_relaxed);
   {
     const std::lock_guard lock(mutex_);
     asked_ = ++questions_;
@@ -192,6 +191,7 @@ bool ScanAhead::hand_over() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return stops_ || ready_ - done_ < batches; });
   if (stops_) return false;
+  lock.unlock();
   apart_->from(run_on_.load(std::memory_order_relaxed));
   filling_ = &shared_[ready_ % batches];
   filling_->asked = asked;
