@@ -75,7 +75,7 @@ void CommonOptions::add_to(CommandLine& line) {
 
 Session::Session(const CommonOptions& options)
     : Workspace({options.plugins, options.dialects, options.machines,
-                 options.any_plugins ? PluginTrust::any : PluginTrust::guarded},
+                 options.any_plugins ? PluginTrust::any : PluginTrust::guarded, options.loads_plugins},
                 folder_of_executable(), diagnostics_),
       diagnostics_output_(options.diagnostics_output),
       diagnostics_(policy(options), [this](std::string_view text) {

@@ -23,6 +23,7 @@ struct CommonOptions {
   std::uint64_t maximum_errors = many_errors;
   bool warnings_are_errors = false, any_plugins = false;
   bool tells_missing_folders = true;  ///< not in a process whose parent has told of them
+  bool loads_plugins = true;          ///< not in a process that no plugin may run in
 
   void add_to(CommandLine& line);
 };

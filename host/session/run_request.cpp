@@ -21,8 +21,7 @@ bool are_layers(std::string_view text) {
 
 }  // namespace
 
-std::optional<RunOptions> RunRequest::make(Workspace& workspace) {
-  RunOptions out;
+std::optional<std::vector<DependencyElement>> RunRequest::read_tables(Workspace& workspace, Completion completion) {
   std::filesystem::path tables_of_machine;
   bool sound = true;
   if (!machine.empty()) {
@@ -35,17 +34,33 @@ std::optional<RunOptions> RunRequest::make(Workspace& workspace) {
       dialect = named.value_or(dialect);
     }
   }
+  std::vector<DependencyElement> out;
   for (const std::filesystem::path& file : {tables_of_machine, std::filesystem::path(offsets),
                                             std::filesystem::path(tools), std::filesystem::path(variables)}) {
     if (file.empty()) continue;
     DiagnosticList said;
     Dialect tables;
     tables.dependencies = workspace.reader().read_dependencies(file, said);
-    if (is_incomplete(tables)) complete_machine(tables, workspace.library(), said);
-    for (DependencyElement& d : tables.dependencies) out.chain.dependencies.push_back(std::move(d));
+    if (completion == Completion::by_plugins && is_incomplete(tables))
+      complete_machine(tables, workspace.library(), said);
+    for (DependencyElement& d : tables.dependencies) out.push_back(std::move(d));
     sound = sound && !said.has_errors();
     for (Diagnostic& d : said.all) workspace.sink().add(std::move(d));
   }
+  return sound ? std::optional(std::move(out)) : std::nullopt;
+}
+
+std::optional<RunOptions> RunRequest::make(Workspace& workspace) {
+  std::optional<std::vector<DependencyElement>> tables = read_tables(workspace, Completion::by_plugins);
+  std::optional<RunOptions> out = make_settings(workspace);
+  if (!tables || !out) return std::nullopt;
+  out->chain.dependencies = std::move(*tables);
+  return out;
+}
+
+std::optional<RunOptions> RunRequest::make_settings(Workspace& workspace) const {
+  RunOptions out;
+  bool sound = true;
   for (const std::string& assignment : set) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0) {

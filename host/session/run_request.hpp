@@ -26,6 +26,12 @@ struct RunRequest {
   /// Reads the tables and settings, and sets `dialect` where a machine names it; empty, and reported, when something
   /// is wrong.
   std::optional<RunOptions> make(Workspace& workspace);
+  /// What the files of a control in a table stand for, plugins tell. A process that loads none leaves them unread.
+  enum class Completion : std::uint8_t { none, by_plugins };
+  /// The first half of make(): the tables, and `dialect`.
+  std::optional<std::vector<DependencyElement>> read_tables(Workspace& workspace, Completion completion);
+  /// The second half: all but the tables, and no plugin is loaded.
+  std::optional<RunOptions> make_settings(Workspace& workspace) const;
 };
 
 /// Called programs are looked for in the program's own folder, then in those that the user named, then in the

@@ -71,7 +71,8 @@ Workspace::Workspace(const NamedFolders& named, const fs::path& home, Diagnostic
       dialect_places_(
           places(named.dialects, "--dialects", "ISOGLOSS_DIALECT_PATH", home, "dialects", "share/isogloss/dialects")),
       machine_places_(places_of_machines(named.machines, dialect_places_)),
-      library_(folders(plugin_places_), loads_any_plugins() ? PluginTrust::any : named.trust),
+      library_(named.loads_plugins ? folders(plugin_places_) : std::vector<fs::path>(),
+               loads_any_plugins() ? PluginTrust::any : named.trust),
       reader_(folders(dialect_places_)),
       sink_(sink) {}
 

@@ -26,6 +26,8 @@ struct NamedFolders {
   std::vector<std::string> plugins, dialects, machines;
   /// ISOGLOSS_ANY_PLUGINS=1 stands for PluginTrust::any as well.
   PluginTrust trust = PluginTrust::guarded;
+  /// False: the library of the workspace finds no plugin, whoever asks it.
+  bool loads_plugins = true;
 };
 
 /// The dialect whose vocabulary and tables serve where none is named (apply, case), and the last resort of guessing.

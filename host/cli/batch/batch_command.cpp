@@ -369,7 +369,10 @@ int batch_command(const Arguments& arguments) {
   if (!request.work.empty()) return batch::do_work(request);
   request.given = arguments;
   request.places.results = request.output;
-  Session session(request.common);
+  // What plugins do here nobody confines.
+  CommonOptions common = request.common;
+  common.loads_plugins = !request.untrusted.on;
+  Session session(common);
   if (!request.shard_text.empty()) {
     const std::optional<batch::Shard> shard = batch::read_shard(request.shard_text);
     if (!shard || request.merges) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "dialect_files.hpp"
+#include "isogloss/engine/import.hpp"
 #include "outputs.hpp"
 
 namespace isogloss::cli::batch {
@@ -46,26 +47,48 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
   return !place.empty() && std::mismatch(place.begin(), place.end(), whole.begin(), whole.end()).first == place.end();
 }
 
-/// The file that -m names, and those that hold the tables of -m, --tools and the like, included ones, too.
-void add_files_of_tables(const ProgramOptions& program, const RunOptions& options, Session& session,
-                         std::set<std::string>& files) {
-  if (!program.machine.empty())
-    if (const std::optional<FoundMachine> machine = session.find_machine(program.machine))
-      for (std::string& file : files_of_machine(machine->file.string())) files.insert(std::move(file));
-  for (const DependencyElement& table : options.chain.dependencies) {
+/// False, and reported: there is no such machine any more.
+bool add_files_of_machine(const ProgramOptions& program, Session& session, std::set<std::string>& files) {
+  if (program.machine.empty()) return true;
+  const std::optional<FoundMachine> machine = session.find_machine(program.machine);
+  if (!machine) return false;
+  for (std::string& file : files_of_machine(machine->file.string())) files.insert(std::move(file));
+  return true;
+}
+
+/// Those that hold the tables of -m, --tools and the like, included ones, too.
+void add_files_of_tables(const std::vector<DependencyElement>& tables, std::set<std::string>& files) {
+  for (const DependencyElement& table : tables) {
     files.insert({table.where.file, table.source_file});
+    if (table.control_file) files.insert(table.control_file->file.string());
     for (const TableRow& row : table.rows) files.insert(row.where.file);
+  }
+}
+
+/// Those that a machine or dialect names for its tables and that only a plugin can read.
+void add_files_of_controls(const Dialect& dialect, std::set<std::string>& files) {
+  DiagnosticList unheard;  // what cannot be read is reported by the process that reads it
+  add_files_of_tables(dialect.dependencies, files);
+  add_files_of_tables(dialect.own_tables, files);
+  for (const Import& import : dialect.imports) {
+    std::error_code error;
+    if (!fs::is_directory(import.file, error))
+      files.insert(import.file.string());
+    else
+      for (const fs::path& file : files_of(import, unheard)) files.insert(file.string());
   }
 }
 
 }  // namespace
 
 std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, FileHashes& hashes, Session& session) {
+  using Completion = RunRequest::Completion;
   ProgramOptions program = arguments.program;
-  const std::optional<RunOptions> options = program.make(session);
-  if (!options) return std::nullopt;
+  const auto tables = program.read_tables(session, arguments.untrusted.on ? Completion::none : Completion::by_plugins);
+  if (const auto settings = program.make_settings(session); !tables || !settings) return std::nullopt;
   std::set<std::string> files{"/proc/self/exe"};
-  add_files_of_tables(program, *options, session, files);
+  if (!add_files_of_machine(program, session, files)) return std::nullopt;
+  add_files_of_tables(*tables, files);
   // The files of a dialect and its plugins are known once they are loaded, which untrusted ones are in the sandbox
   // only.
   if (program.dialect.empty() || arguments.untrusted.on) {
@@ -75,8 +98,13 @@ std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, Fil
       for (std::string& file : files_of_machine(program.dialect)) files.insert(std::move(file));
       add_files_of({{fs::path(program.dialect).parent_path(), {}}}, ".xml", files);
     }
+    if (!program.dialect.empty()) {
+      const std::optional<Dialect> dialect = session.reader().read(program.dialect, session.sink());
+      if (!dialect) return std::nullopt;
+      add_files_of_controls(*dialect, files);
+    }
   } else {
-    std::unique_ptr<LinkedDialect> linked = session.link(program.dialect, options->chain.dependencies);
+    std::unique_ptr<LinkedDialect> linked = session.link(program.dialect, *tables);
     if (linked == nullptr) return std::nullopt;
     for (std::string& file : files_of_dialect(linked->dialect)) files.insert(std::move(file));
     for (const LoadedPlugin& plugin : session.library().plugins()) files.insert(plugin.file.string());
