@@ -211,6 +211,7 @@ class Overwriting(Command):
 class BadDocuments(Command):
     def test_deep_and_huge_json_is_an_error_of_the_input(self):
         for text, reason in (('{"a":' * 20_000 + "1" + "}" * 20_000, "nested more than 100 deep"),
+                             ('{"A": {' + ",".join(f'"{i}": 0' for i in range(1_000_000)) + "}}", "more than 10000 names"),
                              ('{"Parsing": {"X": 1e999}}', "a number beyond 1.8e308")):
             done = self.run_it("apply", "DwellSyntax", given=text, status=1)
             self.assertIn(reason, done.stderr)

@@ -58,21 +58,21 @@ std::optional<int> enter_untrusted(const BatchArguments& arguments) {
   return cli::enter_untrusted(options, work);
 }
 
-/// Deeper JSON than a result is would exhaust the stack of whoever writes it again.
-bool is_too_deep(std::string_view json) {
-  constexpr int most = 100;
-  int depth = 0;
+/// Deeper JSON than a result is would exhaust the stack of whoever writes it again, and an object of more names would
+/// take hours, since each one is looked for among those before it.
+bool is_too_large(std::string_view json) {
+  constexpr std::size_t deepest = 100, most_names = 1'000;
+  std::vector<std::size_t> names;  // of the objects and lists that are open
   bool is_text = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
     const char c = json[i];
-    if (is_text && c == '\\')
-      ++i;
-    else if (c == '"')
-      is_text = !is_text;
-    else if (!is_text && (c == '[' || c == '{') && ++depth > most)
-      return true;
-    else if (!is_text && (c == ']' || c == '}'))
-      --depth;
+    if (is_text && c == '\\') ++i;
+    if (c == '"') is_text = !is_text;
+    if (is_text) continue;
+    if (c == '[' || c == '{') names.push_back(0);
+    if (c == ':' && !names.empty()) ++names.back();
+    if (names.size() > deepest || (!names.empty() && names.back() > most_names)) return true;
+    if ((c == ']' || c == '}') && !names.empty()) names.pop_back();
   }
   return false;
 }
@@ -99,18 +99,16 @@ int do_work(const BatchArguments& arguments) {
   session.report_to([&](std::string_view lines) { first.hear(lines); });
   watch_calls(request.program.watchdog);
   std::optional<RunOptions> options = request.program.make(session);
-  Json called = Json::object(), places = Json::object();
+  std::map<std::string, std::string> called;
+  std::map<std::string, Work::Searched> places;
   int status = cannot_start;
   Json summary;
   if (options) {
-    options->called = [&](std::string_view, const std::string& file) {
-      called.emplace(text_of_name(file), state_of(file));
-    };
+    options->called = [&](std::string_view, const std::string& file) { called.emplace(file, state_of(file)); };
     options->searched = [&](const std::vector<std::string>& in, bool inside_files) {
       for (const std::string& place : in) {
-        const auto [at, is_new] =
-            places.emplace(text_of_name(place), Json{{"State", state_of(place)}, {"Inside", false}});
-        if (inside_files) (*at)["Inside"] = true;
+        const auto [at, is_new] = places.try_emplace(place, Work::Searched{state_of(place)});
+        if (inside_files) at->second.inside = true;
       }
     };
     request.takes_summary = [&](const std::string& program, const std::string& dialect, const Summary& totals) {
@@ -120,10 +118,15 @@ int do_work(const BatchArguments& arguments) {
     Runs runs(request, session, *options, nowhere.get());
     status = runs.run(arguments.work);
   }
+  // Lists, since a program may call more files than an object should have names.
+  Json::array_t called_files, searched_places;
+  for (const auto& [file, state] : called) called_files.push_back(Json::array({text_of_name(file), state}));
+  for (const auto& [place, how] : places)
+    searched_places.push_back(Json::array({text_of_name(place), how.state, how.inside}));
   const Json all{{"Summary", std::move(summary)},
                  {"First", first.said()},
-                 {"Called", std::move(called)},
-                 {"Places", std::move(places)}};
+                 {"Called", std::move(called_files)},
+                 {"Places", std::move(searched_places)}};
   std::fflush(nullptr);
   if (::dup2(out, STDOUT_FILENO) < 0) return cannot_start;
   return print(all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n", status);
@@ -131,14 +134,14 @@ int do_work(const BatchArguments& arguments) {
 
 std::optional<Work> read_work(const std::string& written) {
   const std::string_view line = std::string_view(written).substr(0, written.find('\n'));
-  if (is_too_deep(line)) return std::nullopt;
+  if (is_too_large(line)) return std::nullopt;
   try {
     const Json all = Json::parse(line);
     Work out{all.at("Summary"), all.at("First"), {}, {}};
-    for (const auto& [file, state] : all.at("Called").items())
-      out.called[name_of_text(file)] = state.get<std::string>();
-    for (const auto& [place, how] : all.at("Places").items())
-      out.places[name_of_text(place)] = {how.at("State").get<std::string>(), how.at("Inside").get<bool>()};
+    for (const Json& one : all.at("Called").get<Json::array_t>())
+      out.called[name_of_text(one.at(0).get<std::string>())] = one.at(1).get<std::string>();
+    for (const Json& one : all.at("Places").get<Json::array_t>())
+      out.places[name_of_text(one.at(0).get<std::string>())] = {one.at(1).get<std::string>(), one.at(2).get<bool>()};
     return out;
   } catch (const Json::exception&) {
     return std::nullopt;

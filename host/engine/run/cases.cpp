@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -42,7 +43,29 @@ bool is_list_of_objects(const Json& json) {
 /// No real block is nested so deep, and the walk through the objects is recursive.
 constexpr int deepest_json = 100;
 
-struct TooDeep {};
+/// Objects keep the order of their names and look for each one from the first: more of them would take hours.
+constexpr std::size_t most_names = 10'000;
+
+struct TooMuch {
+  std::string what;
+};
+
+/// Called by the parser for each part that it has read.
+class JsonLimits {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, const Json&) {
+    const auto level = static_cast<std::size_t>(depth);
+    if (depth > deepest_json)
+      throw TooMuch{"its objects are nested more than " + std::to_string(deepest_json) + " deep"};
+    if (event == Json::parse_event_t::object_start) names_[level + 1] = 0;
+    if (event == Json::parse_event_t::key && ++names_[level] > most_names)
+      throw TooMuch{"one of its objects has more than " + std::to_string(most_names) + " names"};
+    return true;
+  }
+
+ private:
+  std::array<std::size_t, deepest_json + 2> names_{};  // of the object of each level
+};
 
 /// What the parser says without the place, which counts from the begin of the text: "[json.exception.parse_error.101]
 /// parse error at line 2, column 1: syntax error while …".
@@ -55,10 +78,7 @@ std::string fault_of(std::string_view what) {
 
 Json parse_json(const std::string& text, const Location& where, DiagnosticSink& sink, bool wants_list = false) {
   try {
-    Json json = Json::parse(text, [](int depth, Json::parse_event_t, const Json&) -> bool {
-      if (depth > deepest_json) throw TooDeep();
-      return true;
-    });
+    Json json = Json::parse(text, JsonLimits());
     if (wants_list ? is_list_of_objects(json) : json.is_object()) return json;
     sink.add(host_diagnostic("IG-0502", where, {wants_list ? "it is not a list of objects" : "it is not an object"}));
   } catch (const Json::parse_error& e) {
@@ -71,9 +91,8 @@ Json parse_json(const std::string& text, const Location& where, DiagnosticSink& 
       at.column = static_cast<std::uint32_t>(before - begin_of_line + 1);
     }
     sink.add(host_diagnostic("IG-0502", at, {fault_of(e.what())}));
-  } catch (const TooDeep&) {
-    sink.add(host_diagnostic("IG-0502", where,
-                             {"its objects are nested more than " + std::to_string(deepest_json) + " deep"}));
+  } catch (const TooMuch& limit) {
+    sink.add(host_diagnostic("IG-0502", where, {limit.what}));
   } catch (const Json::out_of_range&) {
     sink.add(host_diagnostic("IG-0502", where, {"it holds a number beyond 1.8e308"}));
   }
