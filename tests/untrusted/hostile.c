@@ -190,6 +190,25 @@ static int starts_threads(void) {
   sleep(5);
   return 0;
 }
+/* In the status of the process, its name stands before the number of its threads. */
+static int hides_threads(void) {
+  prctl(PR_SET_NAME, "Threads: 1", 0, 0, 0);
+  return starts_threads();
+}
+static void* allocate(void* nothing) {
+  allocates();
+  sleep(5);
+  return nothing;
+}
+/* A thread that has ended has no memory: the process looks as if it had none. */
+static int ends_first_thread_and_allocates(void) {
+  pthread_t thread;
+  if (pthread_create(&thread, NULL, allocate, NULL) != 0) return -1;
+  return (int)syscall(SYS_exit, 0);
+}
+static int shares_memory_without_a_file(void) {
+  return mmap(NULL, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0) == MAP_FAILED ? -1 : 0;
+}
 static int prints_without_end(void) {
   static char text[1 << 16];
   memset(text, 'x', sizeof text);
@@ -214,6 +233,35 @@ static int prints_a_result(void) { /* into every pipe that it finds; a bracket i
     }
     write(descriptor, "\n", 1);
   }
+  return 0;
+}
+
+static void* print(void* nothing) {
+  prints_without_end();
+  return nothing;
+}
+/* Whoever hands on what it prints waits for a reader. */
+static int prints_and_allocates(void) {
+  pthread_t thread;
+  if (pthread_create(&thread, NULL, print, NULL) != 0) return -1;
+  sleep(1);
+  return allocates();
+}
+static int prints_many_names(void) { /* as a result, into every pipe that it finds */
+  static char many[12000001];
+  size_t size = 0;
+  for (int i = 0; i < 1000000; ++i) size += (size_t)sprintf(many + size, "\"%d\":0,", i);
+  many[size - 1] = '}';
+  for (int descriptor = 3; descriptor < 64; ++descriptor)
+    if (write(descriptor, "{\"Summary\":{", 12) == 12) {
+      for (size_t at = 0; at < size;) {
+        const ssize_t n = write(descriptor, many + at, size - at);
+        if (n <= 0) break;
+        at += (size_t)n;
+      }
+      static const char rest[] = ",\"First\":null,\"Called\":[],\"Places\":[]}\n";
+      if (write(descriptor, rest, sizeof rest - 1) < 0) return -1;
+    }
   return 0;
 }
 
@@ -265,7 +313,12 @@ static const struct {
     DEED(closes_output_and_loops),
     DEED(allocates),
     DEED(starts_threads),
+    DEED(hides_threads),
+    DEED(ends_first_thread_and_allocates),
+    DEED(shares_memory_without_a_file),
     DEED(prints_without_end),
+    DEED(prints_and_allocates),
+    DEED(prints_many_names),
     DEED(takes_hold_of_terminal),
     DEED(prints_a_result),
 };

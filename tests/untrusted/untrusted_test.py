@@ -13,6 +13,7 @@ import json
 import os
 import pathlib
 import pty
+import resource
 import signal
 import socket
 import subprocess
@@ -62,6 +63,7 @@ REFUSED = {
     "mounts": ("mount", None),
     "keeps_in_memory": ("memfd_create", True),
     "shares_memory": ("shmget", None),
+    "shares_memory_without_a_file": ("mmap", True),
     "makes_ring": ("io_uring_setup", None),
     "changes_flags_of_output": ("fcntl", True),
 }
@@ -76,6 +78,7 @@ ENDED = {
     "stops_itself": ("build", ("it was not done after 2 s",), 1),
     "closes_output_and_loops": ("load", ("it was not done after 2 s", "it used more than 2 s of the processor"), 1),
     "starts_threads": ("build", ("it began more than 64 threads",), 1),
+    "hides_threads": ("build", ("it began more than 64 threads",), 1),
     "prints_without_end": ("build", ("it printed more than 67108864 bytes",), 1),
     "quits": ("load", ("it ended itself with status 0",), 3),
 }
@@ -180,7 +183,7 @@ class Untrusted(unittest.TestCase):
 
     def test_limits_end_the_work_and_name_what_was_used_up(self):
         for deed, (when, texts, status) in ENDED.items():
-            if OPTIONS.sanitized and deed == "starts_threads":
+            if OPTIONS.sanitized and deed in ("starts_threads", "hides_threads"):
                 continue  # the sanitizer itself watches threads by calls of its own
             with self.subTest(deed):
                 before = state_of(self.path)
@@ -210,6 +213,42 @@ class Untrusted(unittest.TestCase):
             self.assertIn("[IG-0682]", done.stderr)
             self.assertFalse((self.work / "out.jsonl").exists())
 
+    def test_memory_is_counted_where_the_first_thread_has_ended(self):
+        if OPTIONS.sanitized:
+            self.skipTest("the sanitizer itself watches threads by calls of its own")
+        done = self.hostile("ends_first_thread_and_allocates", "build", "--untrusted", "--max-memory", "200", "--watchdog", "0")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("it needed more than 200 MiB of memory", done.stderr)
+
+    def test_limits_hold_while_nobody_reads_what_is_printed(self):
+        process = subprocess.Popen([OPTIONS.isogloss, "run", "part.nc", "-d", "hostile.xml", "--plugins", OPTIONS.hostile,
+                                    "--untrusted", "--max-memory", "200", "--watchdog", "0"], cwd=self.work,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   env=self.environment("prints_and_allocates", "build"))
+        self.addCleanup(process.kill)
+        children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children")
+        self.assertTrue(self.becomes(lambda: children.read_text() != ""))
+        self.assertTrue(self.becomes(lambda: children.read_text() == ""))
+        self.assertIsNone(process.poll())
+        out, said = process.communicate(timeout=30 * OPTIONS.seconds)
+        self.assertGreater(len(out), 0)
+        self.assertEqual(process.returncode, 1, said)
+        self.assertIn(b"it needed more than 200 MiB of memory", said)
+
+    def becomes(self, is_so):
+        for _ in range(100 * OPTIONS.seconds):
+            if is_so():
+                return True
+            time.sleep(0.1)
+        return False
+
+    def test_a_smaller_limit_of_the_caller_stays(self):
+        seconds = OPTIONS.seconds // 10
+        done = self.hostile("loops_without_watch", "build", "--untrusted", "--max-time", 30 * seconds, "--watchdog", "0",
+                            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1)))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(f"it used more than {seconds} s of the processor (a limit of whoever has called)", done.stderr)
+
     def test_the_watchdog_works_inside(self):
         done = self.hostile("loops", "build", "--untrusted", "--watchdog", "1")
         self.assertEqual(done.returncode, 3, done.stderr)
@@ -237,7 +276,7 @@ class Untrusted(unittest.TestCase):
         (self.work / "link").symlink_to(self.target)
         for path, real in ((self.target, None), ("/etc/passwd", None), (f"/proc/{os.getpid()}/environ", None),
                            (f"{self.work}/../outside/target", self.target), ("/proc/self/root/etc/passwd", "/etc/passwd"),
-                           (self.work / "link", self.target), ("../outside/target", self.target)):
+                           (self.work / "link", self.target), ("../outside/target", self.target), ("/dev/zero", None)):
             with self.subTest(path):
                 done = self.hostile("reads", "load", "--untrusted", "-o", "out.jsonl", target=path)
                 self.assertEqual(done.returncode, 3, done.stderr)
@@ -247,6 +286,29 @@ class Untrusted(unittest.TestCase):
         done = self.hostile("reads", "load", "--untrusted", target=self.work / "part.nc")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("hostile: reads succeeded", done.stderr)
+
+    @unittest.skipUnless(has_landlock(), "this kernel has no Landlock")
+    def test_links_beside_plugins_are_followed_to_plugins_alone(self):
+        plugins, dialects, machines = (self.work / name for name in ("plugins", "dialects", "machines"))
+        for folder in (plugins, dialects, machines):
+            folder.mkdir()
+        (plugins / "hostile.so").symlink_to(pathlib.Path(OPTIONS.hostile) / "hostile.so")
+        (self.outside / "machine").mkdir()
+        (self.outside / "machine" / "machine.xml").write_text('<Machine xmlns="urn:isogloss:dialect:1" name="machine" dialect="iso"/>')
+        (self.outside / "some.xml").write_text(DIALECT)
+        for number, (link, real, is_read) in enumerate((
+                (plugins / "a.so", self.target, False), (plugins / "a", self.outside, False),
+                (dialects / "a.xml", self.target, False), (dialects / "b.xml", self.outside / "some.xml", True),
+                (machines / "a", self.outside, False), (machines / "b", self.outside / "machine", True))):
+            link.symlink_to(real)
+            target = {self.outside: self.target, self.outside / "machine": real / "machine.xml"}.get(real, real)
+            with self.subTest(link):
+                done = self.run_it("run", "part.nc", "-d", "hostile.xml", "--plugins", plugins, "--dialects", dialects,
+                                   "--machines", machines, "--untrusted", "-o", f"out{number}",
+                                   environment=self.environment("reads", "load", target))
+                self.assertEqual("hostile: reads succeeded" in done.stderr, is_read, done.stderr)
+                self.assertEqual(done.returncode, 0 if is_read else 3, done.stderr)
+            link.unlink()
 
     @unittest.skipUnless(has_landlock(), "this kernel has no Landlock")
     def test_the_kernel_refuses_what_the_watch_lets_pass(self):
@@ -282,6 +344,33 @@ class Untrusted(unittest.TestCase):
             self.assertEqual(b"\033" in text, not options, text)
             if options:
                 self.assertIn(b"\\x1b]0;hostile\\x07\\x1b[2J\\x9b2J\\x0dhostile\r\n", text)
+
+    def test_an_output_that_is_a_terminal_gets_text_alone(self):
+        for options in (("--untrusted",), ()):
+            with self.subTest(options):
+                master, slave = pty.openpty()
+                done = self.hostile("prints_a_result", "build", "-o", os.ttyname(slave), *options, target="\x1b(Bhostile")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                os.set_blocking(master, False)
+                text = os.read(master, 1 << 16)
+                os.close(slave)
+                os.close(master)
+                self.assertIn(b"hostile", text)
+                self.assertEqual(b"\x1b" in text, not options, text)
+
+    def test_an_output_that_is_a_pipe_gets_the_same_bytes(self):
+        demo, got = PROGRAMS / "fanuc" / "demo.nc", []
+        os.mkfifo(self.work / "pipe")
+        for options in (("--untrusted",), ()):
+            reader = subprocess.Popen(["cat", "pipe"], cwd=self.work, stdout=subprocess.PIPE)
+            done = self.run_it("run", demo, "-d", "fanuc", "-o", "pipe", *options)
+            got.append((done.returncode, done.stdout, done.stderr, reader.communicate()[0]))
+        self.assertEqual(got[0], got[1])
+        self.assertIn(b'"feed"', got[0][3])
+        done = self.run_it("run", demo, "-d", "fanuc", "-o", "/dev/full", "--untrusted")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/dev/full", done.stderr)
+        self.assertIn("[IG-0511]", done.stderr)
 
     def test_a_binary_stream_is_not_for_a_terminal(self):
         master, slave = pty.openpty()
@@ -469,15 +558,52 @@ class Untrusted(unittest.TestCase):
             self.assertIn("IG-0681", result["First"]["Message"])
         self.assertEqual(state_of(self.outside), before)
 
+    def test_a_batch_itself_loads_no_plugin(self):
+        """The files of a control that tables name are read by plugins."""
+        (self.work / "backup.txt").write_text("%\nG10 L2 P1 X1. Y2. Z3.\n%\n")
+        (self.work / "offsets.xml").write_text('<IsoCoordinateTable xmlns="urn:isogloss:dialect:1" src="backup.txt"/>')
+        (self.work / "machine").mkdir()
+        (self.work / "machine" / "machine.xml").write_text(
+            '<Machine xmlns="urn:isogloss:dialect:1" name="machine" dialect="iso"><Backup src="backup.txt"/></Machine>')
+        (self.work / "machine" / "backup.txt").write_text("%\nG10 L2 P1 X1. Y2. Z3.\n%\n")
+        before = state_of(self.outside)
+        for number, named in enumerate((("-d", "iso", "--offsets", "offsets.xml"), ("-d", "iso", "-m", "offsets.xml"),
+                                        ("-m", "machine"), ("-d", "hostile.xml"), ())):
+            for more in ((), ("--slurm", "1", "--no-submit")):
+                with self.subTest(named, more=more):
+                    batch = ("batch", "part.nc", *named, *more, "--plugins", OPTIONS.hostile, "-o", f"out{number}{len(more)}")
+                    done = self.run_it(*batch, "--untrusted", environment=self.environment("creates", "load"))
+                    self.assertEqual(done.returncode, 0 if more or not named else 3, done.stderr)
+                    self.assertEqual(state_of(self.outside), before)
+        self.run_it("batch", "part.nc", "-d", "iso", "--offsets", "offsets.xml", "--plugins", OPTIONS.hostile, "-o", "trusted",
+                    environment=self.environment("creates", "load"))
+        self.assertNotEqual(state_of(self.outside), before)
+
+    def test_an_untrusted_batch_runs_again_what_a_file_of_a_control_changes(self):
+        (self.work / "backup.txt").write_text("%\nG10 L2 P1 X1. Y2. Z3.\n%\n")
+        (self.work / "offsets.xml").write_text('<IsoCoordinateTable xmlns="urn:isogloss:dialect:1" src="backup.txt"/>')
+        (self.work / "machine.xml").write_text(
+            '<Machine xmlns="urn:isogloss:dialect:1" name="machine" dialect="iso"><Backup src="backup.txt"/></Machine>')
+        (self.work / "named.xml").write_text((self.work / "machine.xml").read_text())
+        for number, named in enumerate((("-d", "iso", "--offsets", "offsets.xml"), ("-m", "machine.xml"), ("-m", "named.xml"))):
+            with self.subTest(named):
+                batch = ("batch", "part.nc", *named, "-o", f"out{number}", "--untrusted")
+                done = self.run_it(*batch)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("1 of 1 programs were finished before", self.run_it(*batch).stderr)
+                with open(self.work / "backup.txt", "a", encoding="utf-8") as file:
+                    file.write(f"(changed {number})\n")
+                self.assertNotIn("were finished before", self.run_it(*batch).stderr)
+
     def test_a_result_that_a_plugin_made_up_does_a_batch_no_harm(self):
         (self.work / "archive").mkdir()
         for name in ("a.nc", "b.nc"):
             (self.work / "archive" / name).write_text(PART)
-        rest = '"First": null, "Called": {}, "Places": {}, "LooksInside": false}'
+        rest = '"First": null, "Called": [], "Places": []}'
         for number, made_up in enumerate((
                 '{"Summary": {"Program": 1, "Status": 5, "Dialect": 7, "Blocks": "<b>", "First": 3, "Diagnostics": '
                 '{"Severity": 2, "Count": "x"}}, "First": {"File": 1, "Line": "x", "Message": {}, "Code": {}}, '
-                '"Called": {"/proc/self/pagemap": "", "/etc/passwd": ""}, "Places": {"/": {"State": "", "Inside": true}}}',
+                '"Called": [["/proc/self/pagemap", ""], ["/etc/passwd", ""]], "Places": [["/", "", true]]}',
                 '{"Summary": {"Status": 5}, ' + rest, '{"Summary": {"Deep": []}, ' + rest, "[]",
                 '{"Summary": 1, "First": 2, "Called": 3, "Places": 0}', "{", "null", '"\\xff')):
             with self.subTest(number):
@@ -492,6 +618,13 @@ class Untrusted(unittest.TestCase):
                 self.assertEqual({type(r["Status"]) for r in results}, {str})
                 for file in (self.work / out / "journal").iterdir():
                     self.assertNotIn("/etc/passwd", file.read_text())
+
+    def test_a_result_of_a_million_names_ends_soon(self):
+        begin = time.monotonic()
+        done = self.run_it("batch", "part.nc", "-d", "hostile.xml", "--plugins", OPTIONS.hostile, "-o", "names", "--untrusted",
+                           environment=self.environment("prints_many_names", "build"))
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertLess(time.monotonic() - begin, 6 * OPTIONS.seconds)
 
     def test_what_no_batch_can_confine_is_not_run(self):
         os.mkfifo(self.work / "pipe.nc")

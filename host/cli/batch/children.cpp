@@ -19,6 +19,7 @@
 #include <thread>
 
 #include "noted_signals.hpp"
+#include "process_use.hpp"
 
 namespace isogloss::cli::batch {
 
@@ -102,11 +103,8 @@ std::vector<pid_t> children_of(const std::string& process) {
 
 /// With what it has started: under --untrusted the work is done there.
 std::uint64_t resident_mib(pid_t process) {
-  const std::string name = std::to_string(process);
-  std::uint64_t size = 0, resident = 0;
-  std::ifstream("/proc/" + name + "/statm") >> size >> resident;
-  std::uint64_t out = resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) >> 20;
-  for (const pid_t one : children_of(name)) out += resident_mib(one);
+  std::uint64_t out = use_of(process).resident_mib;
+  for (const pid_t one : children_of(std::to_string(process))) out += resident_mib(one);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -28,8 +29,11 @@ namespace {
 std::string error_of(const char* what, int number) { return std::string(what) + ": " + std::strerror(number); }
 
 std::string limit(const Confinement& confinement) {
+  // What the caller has limited further stays so.
   const auto set = [](auto resource, rlim_t soft, rlim_t hard) {
-    const struct rlimit value { soft, hard };
+    struct rlimit value {};
+    if (::getrlimit(resource, &value) != 0) return false;
+    value = {std::min(soft, value.rlim_cur), std::min(hard, value.rlim_max)};
     return ::setrlimit(resource, &value) == 0;
   };
   // No dump of memory: 0 would allow one to a program that takes dumps, 1 does not.
@@ -64,7 +68,7 @@ constexpr const char* harmless[] = {
     "stat", "stat64", "lstat", "lstat64", "newfstatat", "fstatat64", "statx", "access", "faccessat", "faccessat2",
     "readlink", "readlinkat", "getcwd", "statfs", "statfs64",
     // memory
-    "brk", "mmap", "mmap2", "munmap", "mremap", "mprotect", "madvise", "mincore", "membarrier", "get_mempolicy",
+    "brk", "munmap", "mremap", "mprotect", "madvise", "mincore", "membarrier", "get_mempolicy",
     // its own signals, threads and clocks
     "rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "sigreturn", "rt_sigpending", "rt_sigtimedwait", "rt_sigsuspend",
     "sigaltstack", "pause", "restart_syscall", "futex", "futex_waitv", "set_robust_list", "get_robust_list",
@@ -125,6 +129,14 @@ void allow_threads(Rules& rules) {
 
 /// What no call of open has that only reads.
 constexpr auto bits_of_writing = static_cast<unsigned>(O_ACCMODE | O_CREAT | O_TRUNC | (O_TMPFILE & ~O_DIRECTORY));
+
+/// Memory that is shared without a file stays when it is let go of in one place, and nobody counts it.
+void allow_memory(Rules& rules) {
+  for (const char* const call : {"mmap", "mmap2"}) {
+    rules.allow(call, ISOGLOSS_BITS_ARE(3, MAP_TYPE, MAP_PRIVATE));
+    rules.allow(call, ISOGLOSS_BITS_ARE(3, MAP_TYPE | MAP_ANONYMOUS, MAP_SHARED));
+  }
+}
 
 void allow_with_arguments(Rules& rules, int socket) {
   // Where the kernel confines reading, the one who watches looks at each file that is opened, to report what it
@@ -213,6 +225,7 @@ std::string confine(const Confinement& confinement, int socket) {
   Rules rules;
   for (const char* const call : harmless) rules.allow(call);
   allow_threads(rules);
+  allow_memory(rules);
   allow_with_arguments(rules, socket);
   std::string fault;
   const int listener = rules.load(fault);

@@ -38,7 +38,6 @@ constexpr const char* of_system[] = {"/lib",
                                      "/proc/cpuinfo",
                                      "/sys/devices/system/cpu",
                                      "/dev/null",
-                                     "/dev/zero",
                                      "/dev/random",
                                      "/dev/urandom"};
 

@@ -5,18 +5,21 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <fstream>
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "isogloss/engine/printable.hpp"
 #include "noted_signals.hpp"
+#include "process_use.hpp"
 #include "sandbox/confinement.hpp"
 
 namespace isogloss::cli::sandbox {
@@ -29,11 +32,39 @@ constexpr int tick_ms = 100;                           // how exact the limits a
 constexpr auto time_to_end = std::chrono::seconds(3);  // for whole lines, after a signal
 constexpr unsigned most_threads = 64;
 
+/// As long as it lives, a call of the system that waits is interrupted every 100 ms.
+class Ticks {
+ public:
+  Ticks() {
+    struct sigaction action {};
+    action.sa_handler = [](int) {};
+    ::sigaction(SIGALRM, &action, &before_);
+    constexpr suseconds_t tick_us = tick_ms * 1000;
+    const itimerval every{{0, tick_us}, {0, tick_us}};
+    ::setitimer(ITIMER_REAL, &every, nullptr);
+  }
+  ~Ticks() {
+    const itimerval none{};
+    ::setitimer(ITIMER_REAL, &none, nullptr);
+    ::sigaction(SIGALRM, &before_, nullptr);
+  }
+  Ticks(const Ticks&) = delete;
+  Ticks& operator=(const Ticks&) = delete;
+
+ private:
+  struct sigaction before_ {};
+};
+
 /// One pipe of the process, and where its bytes go on.
 class Relay {
  public:
-  Relay(int pipe, int target)
-      : pipe_(pipe), target_(target), is_terminal_(isatty(target) != 0), buffer_(new char[buffer_size]) {}
+  /// `waits` is called now and then while the target takes nothing; false: it shall get no more.
+  Relay(int pipe, int target, std::function<bool()> waits)
+      : pipe_(pipe),
+        target_(target),
+        is_terminal_(isatty(target) != 0),
+        waits_(std::move(waits)),
+        buffer_(new char[buffer_size]) {}
   ~Relay() { close(); }
   Relay(const Relay&) = delete;
   Relay& operator=(const Relay&) = delete;
@@ -79,15 +110,17 @@ class Relay {
       const ssize_t n = ::write(target_, bytes.data(), bytes.size());
       if (n >= 0) {
         bytes.remove_prefix(static_cast<std::size_t>(n));
-      } else if (errno == EAGAIN) {
-        pollfd room{target_, POLLOUT, 0};
-        ::poll(&room, 1, tick_ms);
-      } else if (errno != EINTR) {
+        continue;
+      }
+      if (errno != EAGAIN && errno != EINTR) {
         if (errno != EPIPE) fault_ = std::strerror(errno);
         return close();
-      } else if (NotedSignals::last() != 0 && ++interruptions_ > 1) {
-        return close();  // nobody reads, and somebody waits for the end
       }
+      if (errno == EAGAIN) {
+        pollfd room{target_, POLLOUT, 0};
+        ::poll(&room, 1, tick_ms);
+      }
+      if (!waits_()) return close();
     }
   }
   void close() {
@@ -97,10 +130,10 @@ class Relay {
 
   int pipe_, target_;
   bool is_terminal_;
+  std::function<bool()> waits_;
   std::unique_ptr<char[]> buffer_;
   std::string rest_, shown_, fault_;
   std::uint64_t bytes_ = 0;
-  int interruptions_ = 0;
 };
 
 /// The descriptor that the process sends once it is confined. Otherwise a text why it is not.
@@ -126,31 +159,28 @@ int receive_listener(int socket, std::string& fault) {
   return -1;
 }
 
-std::uint64_t memory_of(pid_t process) {
-  std::uint64_t size = 0, resident = 0;
-  std::ifstream("/proc/" + std::to_string(process) + "/statm") >> size >> resident;
-  return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) >> 20;
-}
-
-unsigned threads_of(pid_t process) {
-  std::ifstream status("/proc/" + std::to_string(process) + "/status");
-  for (std::string word; status >> word;)
-    if (unsigned count = 0; word == "Threads:" && status >> count) return count;
-  return 0;
-}
-
 class Watch {
  public:
   Watch(pid_t process, const Connections& connections, const Limits& limits)
-      : process_(process),
-        limits_(limits),
-        places_(limits.readable, process),
-        out_(connections.out, STDOUT_FILENO),
-        errors_(connections.errors, STDERR_FILENO),
-        has_one_pipe_(connections.errors < 0) {}
+      : process_(process), limits_(limits), places_(limits.readable, process), has_one_pipe_(connections.errors < 0) {
+    add(connections.out, STDOUT_FILENO);
+    add(connections.errors, STDERR_FILENO);
+    for (const Connections::Output& output : connections.outputs) add(output.pipe, output.target);
+    struct rlimit processor {};
+    if (::getrlimit(RLIMIT_CPU, &processor) == 0) callers_seconds_ = processor.rlim_cur;
+  }
   End run(int socket);
 
  private:
+  static constexpr std::size_t out = 0, errors = 1, first_output = 2;
+
+  void add(int pipe, int target) {
+    relays_.push_back(std::make_unique<Relay>(pipe, target, [this] { return wait_for_reader(); }));
+  }
+  bool are_open() const {
+    return std::any_of(relays_.begin(), relays_.end(), [](const auto& relay) { return relay->pipe() >= 0; });
+  }
+  bool wait_for_reader();
   void end_by(End::How how, std::string why);
   void hold();
   void hear();
@@ -160,12 +190,14 @@ class Watch {
   pid_t process_;
   const Limits& limits_;
   ReadablePlaces places_;
-  Relay out_, errors_;
+  std::vector<std::unique_ptr<Relay>> relays_;
   bool has_one_pipe_;  // for both
   int listener_ = -1;
   End end_;
   bool is_ended_ = false;
+  std::uint64_t callers_seconds_ = RLIM_INFINITY;  // of the processor
   Clock::time_point begin_ = Clock::now(), last_look_ = begin_, signalled_ = {};
+  std::optional<Clock::time_point> writes_since_;
   Clock::duration written_{0};  // the time that readers of its output took
 };
 
@@ -173,7 +205,7 @@ void Watch::end_by(End::How how, std::string why) {
   if (end_.how != End::How::by_itself) return;
   end_.how = how;
   end_.why = std::move(why);
-  ::kill(process_, SIGKILL);
+  if (!is_ended_) ::kill(process_, SIGKILL);
 }
 
 void Watch::hold() {
@@ -186,41 +218,62 @@ void Watch::hold() {
   if (end_.signal != 0 && now - signalled_ > time_to_end) ::kill(process_, SIGKILL);
   if (now - last_look_ < std::chrono::milliseconds(tick_ms)) return;
   last_look_ = now;
-  if (limits_.seconds != 0 && now - begin_ - written_ >= std::chrono::seconds(limits_.seconds))
+  const Clock::duration of_readers = written_ + (writes_since_ ? now - *writes_since_ : Clock::duration(0));
+  if (limits_.seconds != 0 && now - begin_ - of_readers >= std::chrono::seconds(limits_.seconds))
     end_by(End::How::over_limit, "it was not done after " + std::to_string(limits_.seconds) + " s (--max-time)");
-  if (limits_.memory_mib != 0 && memory_of(process_) > limits_.memory_mib + limits_.memory_mib / 4)
+  const ProcessUse use = use_of(process_);
+  if (limits_.memory_mib != 0 && use.resident_mib > limits_.memory_mib + limits_.memory_mib / 4)
     end_by(End::How::over_limit, "it needed more than " + std::to_string(limits_.memory_mib) + " MiB of memory");
-  if (threads_of(process_) > most_threads)
+  if (use.threads > most_threads)
     end_by(End::How::over_limit, "it began more than " + std::to_string(most_threads) + " threads");
 }
 
+/// A process is held to its limits meanwhile as well.
+bool Watch::wait_for_reader() {
+  if (!has_ended()) hold();
+  if (NotedSignals::last() == 0) return true;
+  if (end_.signal == 0) {
+    end_.signal = NotedSignals::last();
+    signalled_ = Clock::now();
+  }
+  if (Clock::now() - signalled_ <= time_to_end) return true;
+  end_by(End::How::by_signal, {});
+  return false;
+}
+
 void Watch::hear() {
-  std::array<pollfd, 3> waited{pollfd{out_.pipe(), POLLIN, 0}, pollfd{errors_.pipe(), POLLIN, 0},
-                               pollfd{listener_, POLLIN, 0}};
+  std::vector<pollfd> waited{{listener_, POLLIN, 0}};
+  for (const auto& relay : relays_) waited.push_back({relay->pipe(), POLLIN, 0});
   // After its pipes a process closes nothing more: it is about to end.
-  const bool is_silent = out_.pipe() < 0 && errors_.pipe() < 0;
-  if (::poll(waited.data(), waited.size(), is_silent ? 1 : tick_ms) <= 0) return;
-  if ((waited[2].revents & POLLIN) != 0) {
+  if (::poll(waited.data(), waited.size(), are_open() ? tick_ms : 1) <= 0) return;
+  if ((waited[0].revents & POLLIN) != 0) {
     if (const std::string call = refused_call(listener_, process_, places_); !call.empty())
       end_by(End::How::refused, call);
-  } else if (waited[2].revents != 0) {
+  } else if (waited[0].revents != 0) {
     ::close(listener_);
     listener_ = -1;
   }
-  const Clock::time_point before = Clock::now();
-  if (waited[0].revents != 0) out_.hand_on();
-  if (waited[1].revents != 0) errors_.hand_on();
-  written_ += Clock::now() - before;
-  if (limits_.printed_bytes != 0 && std::max(out_.bytes(), errors_.bytes()) > limits_.printed_bytes)
+  std::uint64_t most = 0;
+  writes_since_ = Clock::now();
+  for (std::size_t i = 0; i < relays_.size(); ++i) {
+    if (waited[i + 1].revents != 0) relays_[i]->hand_on();
+    most = std::max(most, relays_[i]->bytes());
+  }
+  written_ += Clock::now() - *writes_since_;
+  writes_since_.reset();
+  if (limits_.printed_bytes != 0 && most > limits_.printed_bytes)
     end_by(End::How::over_limit, "it printed more than " + std::to_string(limits_.printed_bytes) + " bytes");
 }
 
 void Watch::tell_limit_of_processor(const struct rusage& used) {
+  const std::uint64_t own = limits_.seconds != 0 ? limits_.seconds : RLIM_INFINITY;
+  const std::uint64_t most = std::min(own, callers_seconds_);
   const auto seconds = static_cast<std::uint64_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
-  const bool is_by_kernel = end_.number == SIGXCPU || (end_.number == SIGKILL && seconds >= limits_.seconds);
-  if (limits_.seconds == 0 || !is_by_kernel) return;
+  const bool is_by_kernel = end_.number == SIGXCPU || (end_.number == SIGKILL && seconds >= most);
+  if (most == RLIM_INFINITY || !is_by_kernel) return;
   end_.how = End::How::over_limit;
-  end_.why = "it used more than " + std::to_string(limits_.seconds) + " s of the processor (--max-time)";
+  end_.why = "it used more than " + std::to_string(most) + " s of the processor (" +
+             (own <= callers_seconds_ ? "--max-time)" : "a limit of whoever has called)");
 }
 
 bool Watch::has_ended() {
@@ -241,13 +294,14 @@ End Watch::run(int socket) {
   ::close(socket);
   if (listener_ < 0) end_by(End::How::not_begun, fault);
   // What it has printed before its end is handed on whole.
-  while (!has_ended() || out_.pipe() >= 0 || errors_.pipe() >= 0) {
+  while (!has_ended() || are_open()) {
     hear();
     if (!is_ended_) hold();
   }
   if (listener_ >= 0) ::close(listener_);
-  end_.lost = out_.fault();
-  end_.has_said = errors_.bytes() > 0 || (has_one_pipe_ && out_.bytes() > 0);
+  end_.lost = relays_[out]->fault();
+  for (std::size_t i = first_output; i < relays_.size(); ++i) end_.lost_outputs.push_back(relays_[i]->fault());
+  end_.has_said = relays_[errors]->bytes() > 0 || (has_one_pipe_ && relays_[out]->bytes() > 0);
   return end_;
 }
 
@@ -255,6 +309,7 @@ End Watch::run(int socket) {
 
 End watch_over(pid_t process, Connections connections, const Limits& limits) {
   const NotedSignals signals;
+  const Ticks ticks;
   return Watch(process, connections, limits).run(connections.socket);
 }
 

@@ -13,11 +13,12 @@ namespace isogloss::cli::sandbox {
 struct End {
   enum class How : std::uint8_t { by_itself, not_begun, refused, over_limit, by_signal };
   How how = How::by_itself;
-  int number = 0;         ///< exit status, or signal
-  std::string why;        ///< the call that was refused, the limit, or what kept it from beginning
-  int signal = 0;         ///< that the supervisor was sent meanwhile
-  std::string lost;       ///< why standard output took no more; empty where it did
-  bool has_said = false;  ///< something was printed where diagnostics go
+  int number = 0;                         ///< exit status, or signal
+  std::string why;                        ///< the call that was refused, the limit, or what kept it from beginning
+  int signal = 0;                         ///< that the supervisor was sent meanwhile
+  std::string lost;                       ///< why standard output took no more; empty where it did
+  bool has_said = false;                  ///< something was printed where diagnostics go
+  std::vector<std::string> lost_outputs;  ///< of the outputs that are handed on: as `lost`
 };
 
 struct Limits {
@@ -29,6 +30,11 @@ struct Limits {
 struct Connections {
   int socket = -1;            ///< from where the listener for refused calls comes
   int out = -1, errors = -1;  ///< its standard output and standard error; one for both where they are one file
+  /// An output that is no file of a disk: the process writes to a pipe, since a terminal would obey it.
+  struct Output {
+    int pipe = -1, target = -1;
+  };
+  std::vector<Output> outputs{};
 };
 
 End watch_over(pid_t process, Connections connections, const Limits& limits);

@@ -15,8 +15,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <memory>
 #include <new>
+#include <utility>
 
 #include "crash_guard.hpp"
 #include "sandbox/confinement.hpp"
@@ -37,7 +39,10 @@ SharedState* told = nullptr;  // in the process that works
 /// only when there is something, since a form of diagnostics may have a frame.
 class Reports {
  public:
-  explicit Reports(CommonOptions common) : common_(std::move(common)) { common_.diagnostics_output.clear(); }
+  explicit Reports(CommonOptions common) : common_(std::move(common)) {
+    common_.diagnostics_output.clear();
+    common_.loads_plugins = false;
+  }
   void add(std::string_view code, Location where, std::initializer_list<std::string> arguments, std::string hint = {}) {
     if (session_ == nullptr) session_ = std::make_unique<Session>(common_);
     session_->report(code, std::move(where), arguments, std::move(hint));
@@ -56,10 +61,16 @@ class Outputs {
       if (path.empty() || path == "-" || prepared_.size() == most_outputs) continue;
       std::string error;
       files_.push_back(OutputFile::open(path, error));
-      const int descriptor = files_.back() != nullptr ? files_.back()->descriptor() : -1;
+      int descriptor = files_.back() != nullptr ? files_.back()->descriptor() : -1;
+      if (struct stat info{}; descriptor >= 0 && ::fstat(descriptor, &info) == 0 && !S_ISREG(info.st_mode))
+        descriptor = hand_on(path, descriptor, error);
       prepared_.push_back({path, descriptor, error, &state.is_complete[prepared_.size()]});
     }
   }
+  ~Outputs() { close_writing_ends(); }
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+
   const std::vector<OutputFile::Prepared>& prepared() const { return prepared_; }
   std::vector<int> descriptors() const {
     std::vector<int> out;
@@ -67,9 +78,25 @@ class Outputs {
       if (one.descriptor >= 0) out.push_back(one.descriptor);
     return out;
   }
-  /// Renames those that are complete. The others go.
-  bool commit(Reports& reports) {
+  /// Those that are no files, for the process that watches.
+  std::vector<Connections::Output> handed_on() const {
+    std::vector<Connections::Output> out;
+    for (const HandedOn& one : handed_on_) out.push_back(one.ends);
+    return out;
+  }
+  /// In the process that watches: the other one alone writes to them, and its end is theirs.
+  void close_writing_ends() {
+    for (HandedOn& one : handed_on_)
+      if (one.writing_end >= 0) ::close(std::exchange(one.writing_end, -1));
+  }
+  /// Renames those that are complete. The others go. `lost`: why one that was handed on took no more.
+  bool commit(const std::vector<std::string>& lost, Reports& reports) {
     bool is_written = true;
+    for (std::size_t i = 0; i < lost.size(); ++i) {
+      if (lost[i].empty()) continue;
+      reports.add("IG-0511", {handed_on_[i].path}, {lost[i]});
+      is_written = false;
+    }
     for (std::size_t i = 0; i < files_.size(); ++i) {
       if (files_[i] == nullptr || !state_.is_complete[i] || files_[i]->commit()) continue;
       reports.add("IG-0511", {prepared_[i].path}, {files_[i]->error()});
@@ -78,13 +105,29 @@ class Outputs {
     return is_written;
   }
   void forget() {
+    for (HandedOn& one : handed_on_) one.writing_end = -1;
     for (auto& file : files_) [[maybe_unused]] const OutputFile* const left_to_the_other_process = file.release();
   }
 
  private:
+  struct HandedOn {
+    std::string path;
+    Connections::Output ends;
+    int writing_end = -1;
+  };
+
+  /// A pipe in its place.
+  int hand_on(const std::string& path, int target, std::string& error) {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) return error = std::strerror(errno), -1;
+    handed_on_.push_back({path, {ends[0], target}, ends[1]});
+    return ends[1];
+  }
+
   SharedState& state_;
   std::vector<std::unique_ptr<OutputFile>> files_;
   std::vector<OutputFile::Prepared> prepared_;
+  std::vector<HandedOn> handed_on_;
 };
 
 /// What comes from a pipe or a terminal, as an unlinked file that can be read again: the work can make no such file.
@@ -136,6 +179,31 @@ int stdin_for_work(bool is_read, std::string& fault) {
   return out;
 }
 
+/// The first bytes of a regular file that are no blanks.
+std::string begin_of(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return {};  // a pipe would wait for its writer
+  std::ifstream in(file, std::ios::binary);
+  std::string out(256, '\0');
+  in.read(out.data(), static_cast<std::streamsize>(out.size()));
+  out.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  if (out.starts_with("\xef\xbb\xbf")) out.erase(0, 3);
+  return out.erase(0, std::min(out.find_first_not_of(" \t\r\n"), out.size()));
+}
+
+/// A link in a folder of plugins, dialects or machines leads where its maker likes. What it leads to is readable only
+/// where the work would take it for one of these.
+bool is_followed(const fs::path& link) {
+  std::error_code error;
+  if (fs::is_directory(link, error)) return begin_of(link / "machine.xml").starts_with('<');
+  const std::string begin = begin_of(link);
+  const bool is_library = link.filename().string().find(".so") != std::string::npos;
+  return is_library ? begin.starts_with(
+                          "\x7f"
+                          "ELF")
+                    : link.extension() == ".xml" && begin.starts_with('<');
+}
+
 std::vector<std::string> readable_by(const UntrustedWork& work) {
   std::vector<std::string> out;
   std::error_code error;
@@ -146,9 +214,9 @@ std::vector<std::string> readable_by(const UntrustedWork& work) {
        {&workspace.plugin_places(), &workspace.dialect_places(), &workspace.machine_places()})
     for (const Place& place : *places) {
       out.push_back(place.folder.string());
-      // Links in these folders are the user's.
       for (fs::directory_iterator at(place.folder, error), end; !error && at != end; at.increment(error))
-        if (at->is_symlink(error)) out.push_back(at->path().string());
+        if (std::error_code ignored; at->is_symlink(ignored) && is_followed(at->path()))
+          out.push_back(at->path().string());
     }
   out.push_back((folder_of_executable() / "isogloss").string());
   const auto add = [&](const std::string& path) {
@@ -258,7 +326,7 @@ int conclude(const End& end, const SharedState& state, const UntrustedWork& work
   // Whoever cannot start says why, unless a plugin has closed what it would be said to.
   if (out == cannot_start && !end.has_said && work.common.diagnostics_output.empty())
     reports.add("IG-0683", where, {"it ended with status " + std::to_string(out) + " and without a word"});
-  if (!outputs.commit(reports)) out = std::max<int>(out, cannot_start);
+  if (!outputs.commit(end.lost_outputs, reports)) out = std::max<int>(out, cannot_start);
   if (!end.lost.empty()) {
     reports.add("IG-0511", {"standard output"}, {end.lost});
     out = std::max<int>(out, cannot_start);
@@ -313,9 +381,10 @@ std::optional<int> supervise(const UntrustedOptions& options, const UntrustedWor
     reports.add("IG-0680", {}, {std::strerror(errno)});
     return cannot_start;
   }
+  outputs->close_writing_ends();
   watch_calls(0);
   const std::uint64_t printed = std::max(work.output_bytes, std::uint64_t{64} << 20);
-  const End end = watch_over(process, {lines.socket[0], lines.out[0], lines.errors[0]},
+  const End end = watch_over(process, {lines.socket[0], lines.out[0], lines.errors[0], outputs->handed_on()},
                              {options.time_limit(), work.memory_mib, printed, readable});
   const int status = conclude(end, *state, work, *outputs, reports);
   outputs.reset();
