@@ -138,6 +138,16 @@ class PluginFolders(unittest.TestCase):
         self.assertEqual(refused[0]["File"], str(self.plugins))
         self.assertFalse(self.trace.exists())
 
+    def test_no_plugin_behind_the_one_that_has_a_table_is_loaded(self):
+        own = pathlib.Path(OPTIONS.isogloss).parent / "plugins"
+        for table, is_loaded in (('<MachineKinematics><Axis name="A" Place="table" Order="1"/></MachineKinematics>', False),
+                                 ("<NoSuchTable/>", True)):
+            with self.subTest(table):
+                (self.path / "machine.xml").write_text(f"<Dependencies>{table}</Dependencies>")
+                done = self.run_it("run", "part.nc", "-d", "iso", "-m", "machine.xml", "--plugins", own)
+                self.assertEqual(done.returncode, 2 if is_loaded else 0, done.stderr)
+                self.assertEqual(self.trace.exists(), is_loaded, done.stderr)
+
     def test_other_commands_do_not_load_it_either(self):
         self.plugins.chmod(0o777)
         for command in (("list", "plugins"), ("lint", "hostile.xml"), ("version",), ("--version",), ("inspect", "BadSyntax"),

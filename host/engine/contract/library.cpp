@@ -204,6 +204,11 @@ bool Library::load(const std::string& name, const Location& where, DiagnosticSin
 bool Library::load_file(const fs::path& file) { return parts_->load(file); }
 
 void Library::load_all() {
+  load_until([] { return false; });
+}
+
+template <class IsFound>
+void Library::load_until(const IsFound& is_found) {
   for (const fs::path& folder : parts_->folders) {
     std::error_code error;
     std::vector<fs::path> files;
@@ -212,8 +217,15 @@ void Library::load_all() {
     // The folder is refused once, instead of each of its plugins.
     if (files.empty() || !parts_->is_trusted(folder)) continue;
     std::sort(files.begin(), files.end());
-    for (const fs::path& file : files) parts_->load(file);
+    for (const fs::path& file : files)
+      if (parts_->load(file) && is_found()) return;
   }
+}
+
+const ig_dependency* Library::find_dependency(std::string_view id, const ig_plugin** owner) {
+  const ig_dependency* found = dependency(id, owner);
+  if (found == nullptr) load_until([&] { return (found = dependency(id, owner)) != nullptr; });
+  return found;
 }
 
 const std::vector<LoadedPlugin>& Library::plugins() const { return parts_->plugins; }

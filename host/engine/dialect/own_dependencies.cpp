@@ -6,16 +6,6 @@
 namespace isogloss {
 namespace {
 
-/// The plugin that has a dependency of this id: a loaded one, else any of the folders.
-const ig_plugin* owner_of(const std::string& id, Library& library) {
-  const ig_plugin* owner = nullptr;
-  if (library.dependency(id, &owner) == nullptr) {
-    library.load_all();
-    library.dependency(id, &owner);
-  }
-  return owner;
-}
-
 std::vector<std::string> names(const Dialect& dialect, const Library& library) {
   std::vector<std::string> out;
   for (const DependencyElement& e : dialect.dependencies) out.push_back(e.alias);
@@ -27,8 +17,8 @@ std::vector<std::string> names(const Dialect& dialect, const Library& library) {
 }  // namespace
 
 bool add_plugin_of(const DependencyElement& element, Dialect& dialect, Library& library, DiagnosticSink& sink) {
-  const ig_plugin* const owner = owner_of(element.id, library);
-  if (owner == nullptr) {
+  const ig_plugin* owner = nullptr;
+  if (library.find_dependency(element.id, &owner) == nullptr) {
     const std::string near = nearest_name(element.id, names(dialect, library));
     sink.add(host_diagnostic("IG-0415", element.where, {element.id}, near.empty() ? "" : "did you mean " + near + "?"));
     return false;

@@ -56,6 +56,8 @@ class Library {
   /// Of all plugins that are loaded.
   std::vector<std::string> syntax_ids() const;
   const ig_dependency* dependency(std::string_view id, const ig_plugin** owner = nullptr) const;
+  /// Loads plugins in the order of load_all() until one has it.
+  const ig_dependency* find_dependency(std::string_view id, const ig_plugin** owner = nullptr);
   const ig_importer* importer(std::string_view id, const ig_plugin** owner = nullptr) const;
   /// A plugin that is part of the program (tests, static builds).
   void add(const ig_plugin* plugin);
@@ -65,6 +67,9 @@ class Library {
   static bool is_in_entry();
 
  private:
+  template <class IsFound>
+  void load_until(const IsFound& is_found);
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
