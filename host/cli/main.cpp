@@ -3,6 +3,7 @@
 
 #include "command.hpp"
 #include "crash_guard.hpp"
+#include "prepared_heap.hpp"
 #include "sandbox/untrusted.hpp"
 
 namespace {
@@ -18,6 +19,7 @@ void take_places_of_closed_streams() {
 
 int main(int argc, char** argv) {
   take_places_of_closed_streams();
+  isogloss::cli::prepare_heap();
   isogloss::cli::guard_crashes(argv);
   isogloss::cli::watch_calls(10);  // `run` takes the time that its option gives
   const int status = isogloss::cli::run_main({argv + 1, argv + argc});
