@@ -515,6 +515,43 @@ class Batch(unittest.TestCase):
         self.batch(*named, dialect=("-d", "siemens"))
         self.assertEqual(self.results()["a.mpf"]["RapidLength_mm"], 30)
 
+    def test_a_folder_that_changes_meanwhile_counts_as_each_program_saw_it(self):
+        """O7000 goes between the first program and the last one, and comes back."""
+        call = GOOD.replace("M30", "M98 P7000\nM30")
+        self.write("a.nc", call.replace("M98", "M98 P8000\nM98"))  # which looks inside the files as well, as c.nc does
+        self.write("b.nc", GOOD.replace("M30", LONG + "M30"))
+        self.write("c.nc", call)
+        library = self.path / "library"
+        library.mkdir()
+        called = library / "O7000.nc"
+        called.write_text("O7000\nG0 X30.\nM99\n")
+        process = subprocess.Popen([OPTIONS.isogloss, "batch", "archive", "-d", "fanuc", "-o", "out", "-j1", "--subprograms",
+                                    "library"], cwd=self.path, stderr=subprocess.PIPE)
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while self.journal() != ["archive/a.nc"]:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+        called.rename(self.path / "away.nc")
+        said = process.communicate(timeout=20 * OPTIONS.seconds)[1]
+        self.assertEqual([self.results()[name]["Status"] for name in ("b.nc", "c.nc")], ["ok", "errors"], said)
+        (self.path / "away.nc").rename(called)
+        self.batch("--subprograms", "library", status=1)
+        self.assertEqual(self.results()["c.nc"]["Status"], "ok")
+
+    def test_the_order_of_the_dialect_folders_counts(self):
+        self.write("a.nc", GOOD + "G999\n")
+        for name in ("one", "two"):
+            (self.path / name).mkdir()
+            base = "fanuc" if name == "one" else "heidenhain"
+            (self.path / name / "mine.xml").write_text(
+                f'<Dialect xmlns="urn:isogloss:dialect:1" name="mine" extends="{base}"/>')
+        for more in ((), ("--untrusted",)):
+            for number, order in enumerate((("one", "two"), ("two", "one"), ("one", "two"))):
+                with self.subTest(more, order=order):
+                    named = (f"--dialects={folder}" for folder in order)
+                    command("batch", "archive", "-d", "mine", *named, "-o", f"out{len(more)}", *more, cwd=self.path)
+                    self.assertEqual(len(self.journal(f"out{len(more)}")), min(number, 1) + 1)
+
     def test_a_called_program_without_the_start_that_is_asked_for_counts(self):
         self.write("main.nc", GOOD.replace("M30", "M98 P7000 Q10\nM30"))
         self.write("O7000", "O7000\nG0 X30.\nM99\n")
@@ -611,6 +648,10 @@ class Batch(unittest.TestCase):
         self.batch(out="archive/out")  # its own results are no programs
         self.assertEqual(list(self.results("archive/out")), ["part.nc"])
         self.batch(out="archive/next")  # nor are those of another batch
+        self.assertEqual(list(self.results("archive/next")), ["part.nc"])
+        for file in (self.archive / "out/journal").iterdir():  # as a kill may leave it
+            file.write_text("")
+        self.batch(out="archive/next")
         self.assertEqual(list(self.results("archive/next")), ["part.nc"])
         self.assertIn("[IG-0670]", self.batch("--include", "*.mpf", out="other", status=2).stderr)
         self.write("sub/x.mpf", GOOD)
@@ -744,6 +785,13 @@ esac
                                    ((), ("nowhere",), "IG-0510"), ((), ("archive", "out"), "IG-0510")):
             with self.subTest(more=more):
                 self.assertIn(f"[{code}]", self.batch(*more, places=places, status=2).stderr)
+        for named, places, code in ((("-d", "fanuk"), ("archive",), "IG-0101"), (("-d", "fanuc"), ("nowhere",), "IG-0510"),
+                                    (("-d", "fanuc", "--tools", "none.xml"), ("archive",), "IG-0102")):
+            with self.subTest(named, places=places):
+                done = self.batch("--slurm", "2", "--no-submit", dialect=named, places=places, status=2)
+                self.assertIn(f"[{code}]", done.stderr)
+                self.assertFalse((self.path / "out/slurm").exists())
+        self.assertIn("no backslash", self.batch("--slurm", "2", "--no-submit", out="a\\b", status=2).stderr)
         self.assertIn("[IG-0513]", self.batch(out="archive", status=2).stderr)
         self.assertIn("[IG-0101]", self.batch(dialect=("-d", "fanuk"), status=2).stderr)
         (self.path / "file").write_text("")

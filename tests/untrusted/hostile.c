@@ -158,6 +158,10 @@ static int sleeps(void) {
   fprintf(stderr, "hostile: sleeps\n");
   for (;;) pause();
 }
+static int naps(void) {
+  usleep(500000);
+  return 0;
+}
 static int stops_itself(void) { return kill(getpid(), SIGSTOP); }
 static int closes_output(void) { return close(STDOUT_FILENO) + close(STDERR_FILENO); }
 static int closes_output_and_loops(void) {
@@ -308,6 +312,7 @@ static const struct {
     DEED(loops),
     DEED(loops_without_watch),
     DEED(sleeps),
+    DEED(naps),
     DEED(stops_itself),
     DEED(closes_output),
     DEED(closes_output_and_loops),

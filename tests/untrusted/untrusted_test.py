@@ -642,6 +642,31 @@ class Untrusted(unittest.TestCase):
                 result = json.loads((self.work / deed / "results.jsonl").read_text())
                 self.assertEqual(result["Status"], status, done.stderr)
 
+    def test_time_in_which_all_were_stopped_does_not_count(self):
+        """As a job that Slurm suspends, or a user."""
+        if OPTIONS.sanitized:
+            self.skipTest("the time without the stop would be too long")
+        (self.work / "archive").mkdir()
+        (self.work / "archive" / "part.nc").write_text(PART)
+        named = ("-d", "hostile.xml", "--plugins", OPTIONS.hostile, "--max-time", "4")
+        begun = [subprocess.Popen([OPTIONS.isogloss, *words, *named], cwd=self.work, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.PIPE, text=True, env=self.environment("naps", "build"))
+                 for words in (("run", "part.nc", "--untrusted"), ("batch", "archive", "-o", "trusted"),
+                               ("batch", "archive", "-o", "confined", "--untrusted"))]
+        self.assertTrue(self.becomes(lambda: sum(len(self.below(p.pid)) for p in begun) >= 4))
+        every = [p.pid for p in begun] + [pid for p in begun for pid in self.below(p.pid)]
+        for number, seconds in ((signal.SIGSTOP, 5), (signal.SIGCONT, 0)):
+            for pid in every:
+                os.kill(pid, number)
+            time.sleep(seconds)
+        for process in begun:
+            said = process.communicate(timeout=30 * OPTIONS.seconds)[1]
+            self.assertEqual(process.returncode, 0, said)
+
+    def below(self, process):
+        children = pathlib.Path(f"/proc/{process}/task/{process}/children").read_text().split()
+        return [int(c) for c in children] + [pid for c in children for pid in self.below(c)]
+
     # Wrong usage
 
     def test_commands_without_it_refuse_it(self):

@@ -20,6 +20,7 @@
 
 #include "noted_signals.hpp"
 #include "process_use.hpp"
+#include "stopped_time.hpp"
 
 namespace isogloss::cli::batch {
 
@@ -234,7 +235,10 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
   for (fill(); !children.empty(); fill()) {
     if (NotedSignals::last() != 0)
       for (const Child& child : children) kill_all_of(child);
+    const Clock::time_point before = Clock::now();
     hear_all(children, tick_ms);
+    for (const auto stopped = time_stopped(before, std::chrono::milliseconds(tick_ms)); Child & child : children)
+      child.begin += stopped;
     if (Clock::now() - last_look >= std::chrono::milliseconds(tick_ms)) {
       for (Child& child : children) hold(child, limits);
       orphans->kill_all(children);

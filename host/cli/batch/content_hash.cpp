@@ -65,8 +65,10 @@ const std::string& FileHashes::of_now(const std::string& file) {
 const std::string& FileHashes::of_place(const std::string& place, bool with_contents) {
   std::error_code code;
   if (fs::is_regular_file(place, code)) return of(place);
-  const auto [at, is_new] = folders_.try_emplace(std::pair(place, with_contents), "missing");
-  if (!is_new) return at->second;
+  std::string state = state_of(place);
+  const auto [at, is_new] = folders_.try_emplace(std::pair(place, with_contents));
+  Known& known = at->second;
+  if (!is_new && known.state == state) return known.hash;
   std::vector<std::string> names;
   for (fs::directory_iterator i(place.empty() ? "." : place, code), end; !code && i != end; i.increment(code))
     names.push_back(i->path().filename().string());
@@ -77,9 +79,9 @@ const std::string& FileHashes::of_place(const std::string& place, bool with_cont
     const fs::path file = fs::path(place) / name;
     if (with_contents && fs::file_size(file, code) <= largest_searched) all.append(of(file.string()));
   }
-  at->second = hash_of(all).text();
-  if (with_contents) at->second.insert(at->second.begin(), contents_mark);
-  return at->second;
+  known = {hash_of(all).text(), std::move(state)};
+  if (with_contents) known.hash.insert(known.hash.begin(), contents_mark);
+  return known.hash;
 }
 
 }  // namespace isogloss::cli::batch

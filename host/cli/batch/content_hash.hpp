@@ -28,7 +28,7 @@ class FileHashes {
   /// The same, read again where the file has changed since.
   const std::string& of_now(const std::string& file);
   /// Of a file; of a folder the names in it, to see that one is added or gone, and where asked their contents, too:
-  /// such a hash begins with `contents_mark`.
+  /// such a hash begins with `contents_mark`. The names are read again where the folder has changed since.
   const std::string& of_place(const std::string& place, bool with_contents);
 
  private:
@@ -36,7 +36,7 @@ class FileHashes {
     std::string hash, state;
   };
   std::map<std::string, Known> files_;
-  std::map<std::pair<std::string, bool>, std::string> folders_;
+  std::map<std::pair<std::string, bool>, Known> folders_;
 };
 
 inline constexpr char contents_mark = '+';

@@ -85,13 +85,18 @@ bool is_program(const fs::directory_entry& entry, const fs::path& below, const P
   return !wanted.include.empty() || is_text_of_program(entry.path());
 }
 
-/// Results of another batch are no programs, wherever they lie.
+/// Results of another batch are no programs, wherever they lie. A journal may be empty, where its process was killed
+/// before it had finished a program.
 bool holds_results(const fs::path& folder) {
   std::error_code error;
-  for (fs::directory_iterator at(folder / "journal", error), end; !error && at != end; at.increment(error))
-    if (at->path().extension() == ".jsonl" && at->is_regular_file(error))
-      return head_of(at->path()).starts_with("{\"Program\":");
-  return false;
+  bool has_journal = false;
+  for (fs::directory_iterator at(folder / "journal", error), end; !error && at != end; at.increment(error)) {
+    if (at->path().extension() != ".jsonl" || !at->is_regular_file(error)) continue;
+    const std::string head = head_of(at->path());
+    if (!head.empty() && !head.starts_with("{\"Program\":")) return false;
+    has_journal = true;
+  }
+  return has_journal;
 }
 
 void add_folder(const fs::path& folder, const fs::path& below, const ProgramPlaces& wanted, ProgramList& out,

@@ -30,14 +30,6 @@ std::string text_of(const BatchArguments& a, FileHashes& hashes) {
                            a.common.warnings_are_errors, a.maximum_seconds, a.untrusted.on);
 }
 
-void add_files_of(const std::vector<Place>& places, const char* extension, std::set<std::string>& files) {
-  for (const Place& place : places) {
-    std::error_code error;
-    for (fs::directory_iterator at(place.folder, error), end; !error && at != end; at.increment(error))
-      if (at->path().extension() == extension) files.insert(at->path().string());
-  }
-}
-
 /// The results may lie in the folder of the machine.
 bool lies_in(const fs::path& file, const fs::path& folder) {
   std::error_code code;
@@ -45,6 +37,24 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
   fs::path place = fs::weakly_canonical(fs::absolute(folder, code), code);
   if (!place.has_filename()) place = place.parent_path();
   return !place.empty() && std::mismatch(place.begin(), place.end(), whole.begin(), whole.end()).first == place.end();
+}
+
+/// Of two files of one name the first folder's counts, so that the order of the folders is part of the text.
+std::string text_of_files(const std::vector<Place>& places, const char* extension, const std::string& results,
+                          FileHashes& hashes, std::set<std::string>& files) {
+  std::string out;
+  for (const Place& place : places) {
+    std::set<fs::path> found;
+    std::error_code error;
+    for (fs::directory_iterator at(place.folder, error), end; !error && at != end; at.increment(error))
+      if (at->path().extension() == extension && !lies_in(at->path(), results)) found.insert(at->path());
+    out += "folder\n";
+    for (const fs::path& file : found) {
+      out += file.filename().string() + "=" + hashes.of(file.string()) + "\n";
+      files.insert(file.string());
+    }
+  }
+  return out;
 }
 
 /// False, and reported: there is no such machine any more.
@@ -87,16 +97,17 @@ std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, Fil
   const auto tables = program.read_tables(session, arguments.untrusted.on ? Completion::none : Completion::by_plugins);
   if (const auto settings = program.make_settings(session); !tables || !settings) return std::nullopt;
   std::set<std::string> files{"/proc/self/exe"};
+  std::string order;
   if (!add_files_of_machine(program, session, files)) return std::nullopt;
   add_files_of_tables(*tables, files);
   // The files of a dialect and its plugins are known once they are loaded, which untrusted ones are in the sandbox
   // only.
   if (program.dialect.empty() || arguments.untrusted.on) {
-    add_files_of(session.dialect_places(), ".xml", files);
-    add_files_of(session.plugin_places(), ".so", files);
+    order = text_of_files(session.dialect_places(), ".xml", arguments.output, hashes, files) +
+            text_of_files(session.plugin_places(), ".so", arguments.output, hashes, files);
     if (fs::path(program.dialect).has_parent_path()) {
       for (std::string& file : files_of_machine(program.dialect)) files.insert(std::move(file));
-      add_files_of({{fs::path(program.dialect).parent_path(), {}}}, ".xml", files);
+      order += text_of_files({{fs::path(program.dialect).parent_path(), {}}}, ".xml", arguments.output, hashes, files);
     }
     if (!program.dialect.empty()) {
       const std::optional<Dialect> dialect = session.reader().read(program.dialect, session.sink());
@@ -111,7 +122,7 @@ std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, Fil
     keep_to_the_end(std::move(linked));
   }
   Surroundings out;
-  std::string all = text_of(arguments, hashes);
+  std::string all = text_of(arguments, hashes) + order;
   for (const std::string& file : files) {
     if (file.empty() || lies_in(file, arguments.output)) continue;
     const std::string& hash = out.files[file] = hashes.of(file);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "batch/run_surroundings.hpp"
 #include "outputs.hpp"
 
 namespace isogloss::cli::batch {
@@ -105,10 +106,15 @@ int run_on_slurm(const BatchArguments& arguments, Session& session) {
     session.report("IG-0513", {}, {"the jobs run in this folder, which cannot be reached: " + code.message()});
     return cannot_start;
   }
-  if (folder.string().find_first_of("\"\n") != std::string::npos) {
-    session.report("IG-0513", {}, {"Slurm takes no quotation mark and no line break in the name of a folder"});
+  if (folder.string().find_first_of("\"\n\\") != std::string::npos) {
+    session.report("IG-0513", {},
+                   {"Slurm takes no quotation mark, no backslash and no line break in the name of a folder"});
     return cannot_start;
   }
+  // Where no part could run, nothing waits in a queue for it.
+  FileHashes hashes;
+  const bool can_run = surroundings_of(arguments, hashes, session).has_value();
+  if (!can_run || !list_programs(arguments.places, session)) return cannot_start;
   fs::create_directories(folder, code);
   if (code) {
     session.report("IG-0511", {folder.string()}, {code.message()});

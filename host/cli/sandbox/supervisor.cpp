@@ -21,6 +21,7 @@
 #include "noted_signals.hpp"
 #include "process_use.hpp"
 #include "sandbox/confinement.hpp"
+#include "stopped_time.hpp"
 
 namespace isogloss::cli::sandbox {
 
@@ -245,7 +246,10 @@ void Watch::hear() {
   std::vector<pollfd> waited{{listener_, POLLIN, 0}};
   for (const auto& relay : relays_) waited.push_back({relay->pipe(), POLLIN, 0});
   // After its pipes a process closes nothing more: it is about to end.
-  if (::poll(waited.data(), waited.size(), are_open() ? tick_ms : 1) <= 0) return;
+  const Clock::time_point before = Clock::now();
+  const int events = ::poll(waited.data(), waited.size(), are_open() ? tick_ms : 1);
+  begin_ += time_stopped(before, std::chrono::milliseconds(tick_ms));
+  if (events <= 0) return;
   if ((waited[0].revents & POLLIN) != 0) {
     if (const std::string call = refused_call(listener_, process_, places_); !call.empty())
       end_by(End::How::refused, call);
