@@ -49,7 +49,12 @@ int ExplainCommand::explain_blocks(Session& session, const std::string& path, co
   });
   said.end_at_errors(options, common.maximum_errors);
   ExplainReach reach;
-  const std::vector<ExplainedBlock> blocks = explain(linked, source, path, target, options, said, &reach);
+  std::vector<ExplainedBlock> blocks;
+  try {
+    blocks = explain(linked, source, path, target, options, said, &reach);
+  } catch (const std::runtime_error& e) {
+    return report_no_begin(said, path, e, session);
+  }
   session.progress().hide();
   report_said(said, reach, !blocks.empty(), session);
   if (said.has_ended_run()) session.report("IG-0517", reach.last, {std::to_string(said.errors())});

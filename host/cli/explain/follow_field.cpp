@@ -115,9 +115,13 @@ int follow_field(const FollowRequest& request, const LinkedDialect& linked, Sour
   Printer printer(request, *output);
   // Only the host's, which may end the run: the other diagnostics of the program were not asked for.
   AskedReports said([](const Diagnostic& d) { return d.where.line == 0 || d.code.starts_with("IG-"); });
-  follow(
-      linked, source, request.lines.program, fields_to_follow(linked.layout, name),
-      [&](const FollowedChange& c) { return printer.add(c); }, options, said);
+  try {
+    follow(
+        linked, source, request.lines.program, fields_to_follow(linked.layout, name),
+        [&](const FollowedChange& c) { return printer.add(c); }, options, said);
+  } catch (const std::runtime_error& e) {
+    return report_no_begin(said, request.lines.program, e, session);
+  }
   session.progress().hide();
   printer.finish();
   if (printer.count() == 0) session.report("IG-0183", {request.lines.program, 0, 0}, {name});

@@ -149,7 +149,12 @@ int StateCommand::show(Session& session, const std::string& path) {
   said.end_at_errors(limited, common.maximum_errors);
   ExplainReach reach;
   ProgramLines lines(path, *text);
-  std::optional<ProgramPoint> point = find_point(*linked, *text, path, target, limited, said, reach, &lines);
+  std::optional<ProgramPoint> point;
+  try {
+    point = find_point(*linked, *text, path, target, limited, said, reach, &lines);
+  } catch (const std::runtime_error& e) {
+    return report_no_begin(said, path, e, session);
+  }
   if (!point || said.has_ended_run()) {
     for (Diagnostic& d : said.all) session.diagnostics().add(std::move(d));
     if (said.has_ended_run()) session.report("IG-0517", reach.last, {std::to_string(said.errors())});

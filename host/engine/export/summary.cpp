@@ -54,7 +54,11 @@ RapidRates rapid_rates(const Chain& chain) {
 
 RapidRates rapid_rates(const LinkedDialect& linked, const ChainSettings& settings) {
   DiagnosticList ignored;
-  return rapid_rates(Chain(linked, settings, ignored));
+  try {
+    return rapid_rates(Chain(linked, settings, ignored));
+  } catch (const std::runtime_error&) {
+    return {};  // the run with these settings cannot begin either, and reports why
+  }
 }
 
 std::unique_ptr<Exporter> make_summary_exporter(Summary& summary, const RapidRates& rates) {

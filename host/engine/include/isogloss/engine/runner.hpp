@@ -90,8 +90,8 @@ std::unique_ptr<Source> memory_source(std::string_view text);
 RunResult run(const LinkedDialect& linked, Source& source, const std::string& name, const RunOptions& options,
               const std::vector<Exporter*>& exporters, DiagnosticSink& sink);
 
-/// The rapid rates of a machine before a run: a chain of its own answers, since tables belong to a run. Throws as run()
-/// does.
+/// The rapid rates of a machine before a run: a chain of its own answers, since tables belong to a run. None
+/// where run() would throw.
 RapidRates rapid_rates(const LinkedDialect& linked, const ChainSettings& settings);
 
 }  // namespace isogloss
