@@ -17,6 +17,7 @@ struct FanucModalMacro {
   MacroFrame frame_;
   ProgramsOfBuilder builder_;
   ig::Codes end_{"G67"};
+  ig::Signal ended_{"Parsing.~ModalMacroEnded", ig::read};  // the G67 has ended a call of another kind
   ig::Signal modal_{"MacroCall.~Modal", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::In<ig::Symbol> move_{"MotionEvent.Form"}, steps_{"CompoundMotion.Term"};
   ig::Signal further_axes_moved_{"FurtherAxes.~Moved", ig::read};
@@ -26,6 +27,7 @@ struct FanucModalMacro {
     MacroStore& store = frame_.store();
     std::vector<MacroStore::ModalCall>& calls = store.modal_calls();
     if (b.take(end_)) {
+      if (b.is_raised(ended_)) return ig::Status::changed;
       if (calls.empty())
         b.report(ig::diag("FAN-0169"), ig::Where::word(end_.id(0)));
       else

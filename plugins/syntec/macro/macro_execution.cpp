@@ -33,7 +33,7 @@ void MacroExecution::execute(ig::Block& b, const Statement& s) {
   }
   const bool is_here = arrival_frame_ == s.place.frame;
   const Arrival arrival = is_here ? std::exchange(arrival_, Arrival::none) : Arrival::none;
-  const auto level = level_of(b, s);
+  const auto level = level_of(b, s, arrival);
   if (!level) return;
   switch (s.keyword) {
     case Keyword::if_: return begin_if(b, s);

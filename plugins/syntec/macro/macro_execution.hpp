@@ -50,7 +50,7 @@ class MacroExecution {
   void begin_for(ig::Block& b, const Statement& s, int level, Arrival arrival);
   void end_repeat(ig::Block& b, const Statement& s, int level);
   std::optional<bool> condition(ig::Block& b, const Statement& s, std::string_view closing);
-  std::optional<int> level_of(ig::Block& b, const Statement& s);
+  std::optional<int> level_of(ig::Block& b, const Statement& s, Arrival arrival);
   bool jump(ig::Block& b, const Statement& s, std::string_view role, int level, Arrival arrival);
   void to_end(ig::Block& b, const Statement& s, int level) { jump(b, s, "CLOSE", level, Arrival::end); }
 

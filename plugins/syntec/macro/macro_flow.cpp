@@ -7,11 +7,12 @@ namespace syntec {
 
 using namespace ig::cnc;
 
-std::optional<int> MacroExecution::level_of(ig::Block& b, const Statement& s) {
+std::optional<int> MacroExecution::level_of(ig::Block& b, const Statement& s, Arrival arrival) {
   const int level = structure.level(b, s.place);
-  if (level > MacroStructure::deepest) {
+  if (level > MacroStructure::deepest && arrival != Arrival::end) {
     b.report(ig::diag("SYN-0045"), s.where(), static_cast<double>(MacroStructure::deepest));
     b.alarm();
+    to_end(b, s, level);
     return std::nullopt;
   }
   if (level > 0) return level;

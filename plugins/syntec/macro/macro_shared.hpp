@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <isogloss/cnc/frame_tag.hpp>
 #include <isogloss/flow.hpp>
 #include <isogloss/sdk.hpp>
 
@@ -50,6 +51,7 @@ struct WordCall {
 /// The scanners of a chain, for the block that is scanned.
 struct MacroScanState {
   static constexpr std::uint64_t no_frame = ~std::uint64_t{0};
+  static constexpr const char* label_of_mark = "%@MACRO";
 
   MacroComment comment{};
   StatementCollector statement{};
@@ -76,6 +78,10 @@ struct MacroScanState {
 
   /// The block is the first one of a file in MACRO format.
   void begin_macro(ig::Block& b, const ig::Flow& flow, const FormatField& format) {
+    if (flow.is_indexing()) {  // of a file that a call may enter behind the mark, or of the one that runs
+      flow.label(b, label_of_mark);
+      return format.set_macro(b);
+    }
     const ig_frame now = flow.frame(b);
     file = ig::to_view(now.file);
     frame = now.id;
@@ -90,8 +96,10 @@ struct MacroScanState {
     const bool is_first = std::exchange(frame, now.id) == no_frame;
     pass = now.pass;
     const std::string before = std::exchange(file, std::string(ig::to_view(now.file)));
-    if (is_first) return;
-    end_program(b, before);
+    const bool is_behind_mark = (now.tag & ig::cnc::begins_inside) != 0 && flow.has_label(b, label_of_mark);
+    if (is_behind_mark) macro_files.insert(file);
+    if (!is_first) end_program(b, before);
+    if (!is_behind_mark && (is_first || !format.is_known(b))) return;
     if (macro_files.contains(file))
       format.set_macro(b);
     else

@@ -47,7 +47,7 @@ class MacroStructure {
     return std::to_string(place.line) + ':' + std::to_string(place.column);
   }
   void put(ig::Block& b, std::string_view role, std::size_t level) const {
-    if (level <= deepest) flow_.label(b, named(role, static_cast<int>(level)));
+    if (level <= too_deep) flow_.label(b, named(role, static_cast<int>(level)));
   }
   void close(ig::Block& b, Keyword opening);
   void branch(ig::Block& b, std::string_view label);

@@ -26,14 +26,15 @@ struct SyntecMacroCall {
           IG_ERROR, "SYN-0078",
           "M99 Q{0} is not executed: the run goes on behind the call, not at line {0} of the calling program"),
       ig::diagnostic(IG_ERROR, "SYN-0079",
-                     "the macro has not read {0} of its call: the control then moves by the words, here it does not"),
+                     "{1} has not read {0} of its call in line {2}: the control then moves by the words, here it does "
+                     "not"),
   };
 
   static constexpr std::size_t most_modal = 10;
 
   ig::Signal call_{"Parsing.~SyntecMacroCall", ig::read | ig::wake};
   ig::Signal modal_{"SyntecMacro.~Modal", ig::write, ig::Life::modal};
-  ig::Codes return_{{"M99"}, ig::read | ig::wake}, end_{{"G67"}, ig::read | ig::wake};
+  ig::Codes return_{{"M99"}, ig::read | ig::wake};
   ig::In<double> q_{"Parsing.Q"};
   ig::Signal program_{"Parsing.~MacroProgramName", ig::read | ig::wake};
   ig::Signal iso_call_{"Parsing.~SyntecIsoCall", ig::read | ig::write | ig::wake};
@@ -55,10 +56,6 @@ struct SyntecMacroCall {
 
   ig::Status build(ig::Block& b) {
     if (b.is_raised(iso_call_)) offer(b);
-    if (b.find(end_) && !arguments_.is_macro(b)) {
-      environment_.enter(b);
-      environment_.store().end_offer();
-    }
     if (b.find(return_)) return end_macro(b);
     if (!b.is_raised(call_)) {
       // M98 P"NAME" is a call by another syntax, to which names in angle brackets are known.
@@ -150,7 +147,9 @@ struct SyntecMacroCall {
       if ((level.read_letters >> variable_of_letter(letter) & 1u) != 0) return;  // one that is read takes all
       if (is_given) unread += (unread.empty() ? "" : ", ") + std::string(1, letter);
     }
-    if (!unread.empty()) b.report(ig::diag("SYN-0079"), ig::Where::block(), std::string_view(unread));
+    if (!unread.empty())
+      b.report(ig::diag("SYN-0079"), ig::Where::block(), std::string_view(unread), ig::to_view(frame.program),
+               static_cast<double>(frame.call_line));
   }
 
   // Of the call in ISO format in the block:

@@ -60,7 +60,7 @@ struct SyntecMacroStatement {
   }
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
-    if (!format_.is_known(b) || !b.is_in_turn() || b.is_raised(statement_)) return position;
+    if (!b.is_in_turn() || b.is_raised(statement_)) return position;
     const ig::Flow& flow = execution_.environment.flow;
     if (!b.is_raised(head_)) {
       b.raise(head_);

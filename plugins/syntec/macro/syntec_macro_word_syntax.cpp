@@ -43,6 +43,7 @@ struct SyntecMacroWord {
   ig::Signal call_{"Parsing.~SyntecMacroCall", ig::read | ig::write};
   ig::Signal code_call_{"Parsing.~BuilderMacro", ig::read | ig::write};
   ig::Signal end_modal_{"Parsing.~SyntecModalEnd", ig::write};
+  ig::Signal iso_modal_{"MacroCall.~Modal", ig::read, ig::Life::modal};
   ig::Signal program_{"Parsing.~MacroProgramName", ig::write};
   ig::Config macros_{"isogloss.code-call/1", ig::Need::optional, "The codes that call a macro."};
   FurtherAxisWords further_{ig::write, ig::read};
@@ -253,7 +254,9 @@ struct SyntecMacroWord {
       scan_->calls.push_back({name, {}, begin, end});
       return b.raise(call_);
     }
-    if (name == "G67") return b.raise(end_modal_);
+    // A G66 of a file in ISO format is FanucModalMacroSyntax's.
+    if (name == "G67" && !(environment_.store().level().modal.empty() && b.is_raised(iso_modal_)))
+      return b.raise(end_modal_);
     if (macros_.number(name) && calls_macro(name, environment_.store().level().caller)) {
       const bool is_of_robot = name[0] == 'G' && number < 200 && decimals > 1;
       scan_->calls.push_back({name, is_of_robot ? std::string() : macro_code_file(name), begin, end});

@@ -12,12 +12,14 @@ struct SyntecModalMacro {
   static constexpr auto spec =
       ig::syntax("SyntecModalMacroSyntax", "Calls the macro of G66 after blocks in MACRO format; G67 ends it.")
           .after("LinearMotionSyntax", "CircularMotionSyntax", "ReferenceReturnSyntax", "FurtherAxesSyntax",
-                 "SyntecMacroCallSyntax");
+                 "SyntecMacroCallSyntax")
+          .before("FanucModalMacroSyntax");
   static constexpr std::array diagnostics{
       ig::diagnostic(IG_WARNING, "SYN-0075", "this G67 ends nothing: no G66 is in force"),
   };
 
-  ig::Signal end_{"Parsing.~SyntecModalEnd", ig::read | ig::wake};
+  ig::Signal end_{"Parsing.~SyntecModalEnd", ig::read | ig::wake}, iso_end_{"Parsing.~ModalMacroEnded", ig::write};
+  ig::Codes iso_code_{{"G67"}, ig::read | ig::wake};
   ig::Signal modal_{"SyntecMacro.~Modal", ig::read | ig::write | ig::wake_while, ig::Life::modal};
   ig::Signal words_{"Parsing.~MacroWords", ig::read};
   ig::Signal call_{"Parsing.~SyntecMacroCall", ig::read};
@@ -33,7 +35,14 @@ struct SyntecModalMacro {
     environment_.enter(b);
     MacroStore& store = environment_.store();
     std::vector<ModalCall>& calls = store.level().modal;
-    if (b.is_raised(end_)) {
+    // The code is that of files in ISO format, and ends a G66 of such a file where there is none of the other format.
+    const bool is_iso_end = b.find(iso_code_).has_value();
+    if (is_iso_end && calls.empty()) {
+      store.end_offer();
+      return ig::Status::changed;
+    }
+    if (is_iso_end) b.raise(iso_end_);
+    if (is_iso_end || b.is_raised(end_)) {
       if (calls.empty()) {
         b.report(ig::diag("SYN-0075"), ig::Where::block());
         return ig::Status::changed;
