@@ -7,12 +7,22 @@ namespace syntec {
 
 using namespace ig::cnc;
 
+namespace {
+
+/// A GOTO may lead into the middle of a statement.
+bool is_closing(Keyword k) {
+  return k == Keyword::end_if || k == Keyword::end_case || k == Keyword::end_while || k == Keyword::end_for ||
+         k == Keyword::until;
+}
+
+}  // namespace
+
 std::optional<int> MacroExecution::level_of(ig::Block& b, const Statement& s, Arrival arrival) {
   const int level = structure.level(b, s.place);
   if (level > MacroStructure::deepest && arrival != Arrival::end) {
     b.report(ig::diag("SYN-0045"), s.where(), static_cast<double>(MacroStructure::deepest));
     b.alarm();
-    to_end(b, s, level);
+    if (!is_closing(s.keyword)) to_end(b, s, level);
     return std::nullopt;
   }
   if (level > 0) return level;
@@ -42,6 +52,7 @@ bool MacroExecution::jump(ig::Block& b, const Statement& s, std::string_view rol
     if (s.keyword == Keyword::case_ || s.keyword == Keyword::case_label) missing = "END_CASE";
     if (s.keyword == Keyword::while_) missing = "END_WHILE";
     if (s.keyword == Keyword::for_) missing = "END_FOR";
+    if (s.keyword == Keyword::repeat) missing = "UNTIL";
     if (s.keyword == Keyword::exit) missing = "the end of the loop";
     b.report(ig::diag("SYN-0044"), s.where(), missing);
     b.alarm();

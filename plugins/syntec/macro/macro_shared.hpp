@@ -61,6 +61,7 @@ struct MacroScanState {
   Arguments arguments{};
   std::vector<WordCall> calls{};
   std::string program{};  ///< of P"NAME"
+  bool has_refused_p = false;
 
   // Which program the block belongs to:
   std::set<std::string, std::less<>> macro_files{};
@@ -74,6 +75,7 @@ struct MacroScanState {
     arguments = {};
     calls.clear();
     program.clear();
+    has_refused_p = false;
   }
 
   /// The block is the first one of a file in MACRO format.

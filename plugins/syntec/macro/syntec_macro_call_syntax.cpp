@@ -97,6 +97,7 @@ struct SyntecMacroCall {
     arguments_.take(b, all_letters);
     std::int64_t number = 0;
     if (name.empty()) {
+      if (!p.is_number() && scan_->has_refused_p) return;  // which is reported
       if (!p.is_number()) return b.report(ig::diag("SYN-0070"), call.where(), std::string_view(call.code));
       if (!(p.number >= 1 && p.number <= 99'999'999) || p.number != std::floor(p.number))
         return b.report(ig::diag("SYN-0071"), call.where(), std::string_view(call.code), p.number);

@@ -158,6 +158,7 @@ struct SyntecMacroWord {
         return d.end;
       }
     const Read r = read(b, words, position, begin);
+    if (!r.is_known && letter == 'P') scan_->has_refused_p = true;
     if (!r.is_known || r.value.is_vacant()) return r.end;
     const auto where = ig::Where::columns(begin, r.end);
     if (letter == 'N' || letter == 'O') {
