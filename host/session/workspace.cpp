@@ -54,7 +54,7 @@ std::vector<Place> places_of_machines(const std::vector<std::string>& named, con
     out.push_back({fs::path(configuration) / "isogloss/machines", "the user's configuration"});
   else if (home != nullptr && *home == '/')
     out.push_back({fs::path(home) / ".config/isogloss/machines", "the user's configuration"});
-  for (const Place& place : dialects) out.push_back({place.folder / "machines", "beside the dialects"});
+  for (const Place& place : dialects) out.push_back({place.folder / "machines", machines_beside_dialects});
   return out;
 }
 

@@ -21,6 +21,9 @@ struct Place {
   std::string named_by;  ///< "--plugins", "ISOGLOSS_PLUGIN_PATH", "installation"
 };
 
+/// Who named the folder of machines in a folder of dialects: nobody.
+inline constexpr const char* machines_beside_dialects = "beside the dialects";
+
 /// Folders that the user names, which are searched first, and whether plugins are loaded that others can write.
 struct NamedFolders {
   std::vector<std::string> plugins, dialects, machines;

@@ -309,6 +309,17 @@ class Untrusted(unittest.TestCase):
                 self.assertEqual("hostile: reads succeeded" in done.stderr, is_read, done.stderr)
                 self.assertEqual(done.returncode, 0 if is_read else 3, done.stderr)
             link.unlink()
+        machines.rmdir()
+        (dialects / "machines").symlink_to(self.outside)
+        done = self.run_it("run", "part.nc", "-d", "hostile.xml", "--plugins", plugins, "--dialects", dialects, "--untrusted",
+                           environment=self.environment("reads", "load", self.target))
+        self.assertIn(f"was ended: openat ({self.target}) [IG-0681]", done.stderr)
+        done = self.run_it("run", "part.nc", "-m", "b", "-d", "iso", "--dialects", dialects, "--untrusted")
+        self.assertIn(f"was ended: openat ({self.outside}) [IG-0681]", done.stderr)
+        (self.outside / "b").mkdir()
+        (self.outside / "machine" / "machine.xml").rename(self.outside / "b" / "machine.xml")
+        done = self.run_it("run", "part.nc", "-m", "b", "--machines", dialects / "machines", "--untrusted")
+        self.assertEqual(done.returncode, 0, done.stderr)
 
     @unittest.skipUnless(has_landlock(), "this kernel has no Landlock")
     def test_the_kernel_refuses_what_the_watch_lets_pass(self):

@@ -204,6 +204,14 @@ bool is_followed(const fs::path& link) {
                     : link.extension() == ".xml" && begin.starts_with('<');
 }
 
+/// Nobody has named the folder `machines` of a folder of dialects: as a link it may lead anywhere.
+bool leads_elsewhere(const Place& place) {
+  std::error_code error;
+  const fs::path folder = place.folder.parent_path(), real = fs::canonical(folder, error);
+  const fs::path target = fs::canonical(place.folder, error);
+  return !error && place.named_by == machines_beside_dialects && target != real / place.folder.filename();
+}
+
 std::vector<std::string> readable_by(const UntrustedWork& work) {
   std::vector<std::string> out;
   std::error_code error;
@@ -213,6 +221,7 @@ std::vector<std::string> readable_by(const UntrustedWork& work) {
   for (const auto* const places :
        {&workspace.plugin_places(), &workspace.dialect_places(), &workspace.machine_places()})
     for (const Place& place : *places) {
+      if (leads_elsewhere(place)) continue;
       out.push_back(place.folder.string());
       for (fs::directory_iterator at(place.folder, error), end; !error && at != end; at.increment(error))
         if (std::error_code ignored; at->is_symlink(ignored) && is_followed(at->path()))
