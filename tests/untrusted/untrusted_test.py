@@ -590,6 +590,16 @@ class Untrusted(unittest.TestCase):
                     environment=self.environment("creates", "load"))
         self.assertNotEqual(state_of(self.outside), before)
 
+    def test_an_untrusted_batch_takes_no_program_for_a_list(self):
+        (self.outside / "secret.nc").write_text(PART)
+        (self.work / "strange.nc").write_text(f"{self.outside}/secret.nc\n")
+        done = self.run_it("batch", "strange.nc", "-d", "iso", "-o", "out", "--untrusted")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("with --untrusted only --list takes a file for a list", done.stderr)
+        for named in (("strange.nc",), ("--list", "strange.nc", "--untrusted")):
+            done = self.run_it("batch", *named, "-d", "iso", "-o", "listed")
+            self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_an_untrusted_batch_runs_again_what_a_file_of_a_control_changes(self):
         (self.work / "backup.txt").write_text("%\nG10 L2 P1 X1. Y2. Z3.\n%\n")
         (self.work / "offsets.xml").write_text('<IsoCoordinateTable xmlns="urn:isogloss:dialect:1" src="backup.txt"/>')

@@ -369,6 +369,7 @@ int batch_command(const Arguments& arguments) {
   if (!request.work.empty()) return batch::do_work(request);
   request.given = arguments;
   request.places.results = request.output;
+  request.places.are_strangers = request.untrusted.on;
   // What plugins do here nobody confines.
   CommonOptions common = request.common;
   common.loads_plugins = !request.untrusted.on;

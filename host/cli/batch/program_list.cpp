@@ -190,6 +190,13 @@ std::optional<ProgramList> list_programs(const ProgramPlaces& wanted, Session& s
   for (const std::string& place : wanted.places) {
     std::error_code ignored;
     const bool names_others = fs::is_regular_file(place, ignored) && is_list(place);
+    if (names_others && wanted.are_strangers) {
+      session.report("IG-0513", {place, 1, 1},
+                     {"its first line is a path: with --untrusted only --list takes a file for a list, since it tells "
+                      "which files are read"});
+      sound = false;
+      continue;
+    }
     if (names_others) session.report("IG-0676", {place, 1, 1}, {});
     sound = (names_others ? add_list : add_place)(place, wanted, out, session) && sound;
   }

@@ -14,6 +14,7 @@ struct ProgramPlaces {
   std::string list;                           ///< a file with a path in each line; "-": standard input; empty: none
   std::vector<std::string> include, exclude;  ///< patterns of the shell for the path below the folder, or its last part
   std::string results;                        ///< a folder that is not looked into
+  bool are_strangers = false;                 ///< a file of `places` names no others: that is for `list` alone
 };
 
 struct ProgramList {
