@@ -6,13 +6,12 @@
 
 namespace isogloss::cli {
 
-/// How much longer than `wanted` a wait has taken that began at `begin`, where that is more than a busy machine
-/// explains: then this process was stopped meanwhile, and those that it watches with it (SIGSTOP, a job that Slurm
-/// suspends).
-inline std::chrono::steady_clock::duration time_stopped(std::chrono::steady_clock::time_point begin,
-                                                        std::chrono::steady_clock::duration wanted) {
+/// Of a process that looks every `tick`: how much later than that it looks now, where that is more than a busy machine
+/// explains. Then it was stopped meanwhile, and those that it watches with it (SIGSTOP, a job that Slurm suspends).
+inline std::chrono::steady_clock::duration time_stopped(std::chrono::steady_clock::time_point last_look,
+                                                        std::chrono::steady_clock::duration tick) {
   constexpr auto of_busy_machine = std::chrono::seconds(1);
-  const auto beyond = std::chrono::steady_clock::now() - begin - wanted;
+  const auto beyond = std::chrono::steady_clock::now() - last_look - tick;
   return beyond > of_busy_machine ? beyond : std::chrono::steady_clock::duration(0);
 }
 

@@ -669,14 +669,14 @@ class Untrusted(unittest.TestCase):
             self.skipTest("the time without the stop would be too long")
         (self.work / "archive").mkdir()
         (self.work / "archive" / "part.nc").write_text(PART)
-        named = ("-d", "hostile.xml", "--plugins", OPTIONS.hostile, "--max-time", "4")
+        named = ("-d", "hostile.xml", "--plugins", OPTIONS.hostile, "--max-time", "5")
         begun = [subprocess.Popen([OPTIONS.isogloss, *words, *named], cwd=self.work, stdout=subprocess.DEVNULL,
                                   stderr=subprocess.PIPE, text=True, env=self.environment("naps", "build"))
                  for words in (("run", "part.nc", "--untrusted"), ("batch", "archive", "-o", "trusted"),
                                ("batch", "archive", "-o", "confined", "--untrusted"))]
         self.assertTrue(self.becomes(lambda: sum(len(self.below(p.pid)) for p in begun) >= 4))
         every = [p.pid for p in begun] + [pid for p in begun for pid in self.below(p.pid)]
-        for number, seconds in ((signal.SIGSTOP, 5), (signal.SIGCONT, 0)):
+        for number, seconds in ((signal.SIGSTOP, 8), (signal.SIGCONT, 0)):
             for pid in every:
                 os.kill(pid, number)
             time.sleep(seconds)

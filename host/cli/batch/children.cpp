@@ -213,11 +213,17 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
   std::optional<Child> waiting;  // that the system did not start beside the others
   std::vector<std::string> words;
   auto last_look = Clock::now();
+  Clock::duration at_work{0};  // on programs and results, since the last look: the children run meanwhile
+  const auto take_time = [&](const auto& work) {
+    const Clock::time_point begin = Clock::now();
+    work();
+    at_work += Clock::now() - begin;
+  };
   const auto fill = [&] {
     while (NotedSignals::last() == 0 && children.size() < most) {
       if (!waiting) {
         waiting.emplace();
-        words = next(waiting->work);
+        take_time([&] { words = next(waiting->work); });
       }
       if (words.empty()) return waiting.reset();
       waiting->begin = Clock::now();
@@ -235,14 +241,16 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
   for (fill(); !children.empty(); fill()) {
     if (NotedSignals::last() != 0)
       for (const Child& child : children) kill_all_of(child);
-    const Clock::time_point before = Clock::now();
     hear_all(children, tick_ms);
-    for (const auto stopped = time_stopped(before, std::chrono::milliseconds(tick_ms)); Child & child : children)
-      child.begin += stopped;
     if (Clock::now() - last_look >= std::chrono::milliseconds(tick_ms)) {
-      for (Child& child : children) hold(child, limits);
+      const auto stopped = time_stopped(last_look + at_work, std::chrono::milliseconds(tick_ms));
+      for (Child& child : children) {
+        child.begin += stopped;
+        hold(child, limits);
+      }
       orphans->kill_all(children);
       last_look = Clock::now();
+      at_work = {};
     }
     for (auto child = children.begin(); child != children.end();) {
       if (!has_ended(*child)) {
@@ -251,7 +259,7 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
         continue;
       }
       end(*child);
-      if (NotedSignals::last() == 0) ended(child->work, std::move(child->end));
+      if (NotedSignals::last() == 0) take_time([&] { ended(child->work, std::move(child->end)); });
       child = children.erase(child);
     }
   }

@@ -111,6 +111,7 @@ class Relay {
       const ssize_t n = ::write(target_, bytes.data(), bytes.size());
       if (n >= 0) {
         bytes.remove_prefix(static_cast<std::size_t>(n));
+        if (!bytes.empty() && !waits_()) return close();
         continue;
       }
       if (errno != EAGAIN && errno != EINTR) {
@@ -218,6 +219,7 @@ void Watch::hold() {
   }
   if (end_.signal != 0 && now - signalled_ > time_to_end) ::kill(process_, SIGKILL);
   if (now - last_look_ < std::chrono::milliseconds(tick_ms)) return;
+  begin_ += time_stopped(last_look_, std::chrono::milliseconds(tick_ms));
   last_look_ = now;
   const Clock::duration of_readers = written_ + (writes_since_ ? now - *writes_since_ : Clock::duration(0));
   if (limits_.seconds != 0 && now - begin_ - of_readers >= std::chrono::seconds(limits_.seconds))
@@ -246,10 +248,7 @@ void Watch::hear() {
   std::vector<pollfd> waited{{listener_, POLLIN, 0}};
   for (const auto& relay : relays_) waited.push_back({relay->pipe(), POLLIN, 0});
   // After its pipes a process closes nothing more: it is about to end.
-  const Clock::time_point before = Clock::now();
-  const int events = ::poll(waited.data(), waited.size(), are_open() ? tick_ms : 1);
-  begin_ += time_stopped(before, std::chrono::milliseconds(tick_ms));
-  if (events <= 0) return;
+  if (::poll(waited.data(), waited.size(), are_open() ? tick_ms : 1) <= 0) return;
   if ((waited[0].revents & POLLIN) != 0) {
     if (const std::string call = refused_call(listener_, process_, places_); !call.empty())
       end_by(End::How::refused, call);
