@@ -538,6 +538,48 @@ class Batch(unittest.TestCase):
         self.batch("--subprograms", "library", status=1)
         self.assertEqual(self.results()["c.nc"]["Status"], "ok")
 
+    def test_a_file_that_was_read_for_a_program_counts_as_each_program_saw_it(self):
+        """Its folder stays as it is: O7000 goes from a file of another name, and comes back."""
+        without, with_it = "O6000\nM99\n", "O6000\nM99\nO7000\nG0 X30.\nM99\n"
+        call = GOOD.replace("M30", "M98 P7000\nM30")
+        self.write("a.nc", call)
+        self.write("b.nc", GOOD.replace("M30", LONG + "M30"))
+        self.write("c.nc", call)
+        library = self.path / "library" / "o6000.nc"
+        library.parent.mkdir()
+        library.write_text(with_it)
+        process = self.begun("-j1", "--subprograms", "library")
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while self.journal() != ["archive/a.nc"]:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+        library.write_text(without)
+        said = process.communicate(timeout=20 * OPTIONS.seconds)[1]
+        self.assertEqual([self.results()[name]["Status"] for name in ("a.nc", "c.nc")], ["ok", "errors"], said)
+        library.write_text(with_it)
+        self.batch("--subprograms", "library")
+        self.assertEqual([self.results()[name]["Status"] for name in ("a.nc", "c.nc")], ["ok", "ok"])
+
+    def test_a_program_runs_again_when_a_file_that_was_read_for_it_changes_meanwhile(self):
+        self.write("a.nc", GOOD.replace("M30", "M98 P7000\n" + 3 * LONG + "M30"))
+        library = self.path / "library" / "o6000.nc"
+        library.parent.mkdir()
+        library.write_text("O6000\nM99\n")
+        process = self.begun("--subprograms", "library", "--max-jumps", "99999999")
+        [child] = children_of(process.pid)
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while self.seconds_of_processor(child) < 0.3:  # it is far behind the call
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+        library.write_text("O6000\nM99\nO7000\nG0 X30.\nM99\n")
+        said = process.communicate(timeout=20 * OPTIONS.seconds)[1]
+        self.assertEqual(self.results()["a.nc"]["Status"], "ok", said)
+
+    @staticmethod
+    def seconds_of_processor(process):
+        fields = pathlib.Path("/proc", process, "stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
     def test_the_order_of_the_dialect_folders_counts(self):
         self.write("a.nc", GOOD + "G999\n")
         for name in ("one", "two"):

@@ -211,7 +211,9 @@ bool Batch::has_changed(std::size_t number, const std::optional<Work>& work) {
   if (state_of(rest_[number]) != begun.state && hashes_.of_now(rest_[number]) != begun.content) return true;
   if (!work) return false;
   const auto is_other = [](const auto& file) { return state_of(file.first) != file.second; };
-  const auto is_other_place = [](const auto& place) { return state_of(place.first) != place.second.state; };
+  const auto is_other_place = [](const auto& place) {
+    return state_of_place(place.first, place.second.inside) != place.second.state;
+  };
   return std::any_of(work->called.begin(), work->called.end(), is_other) ||
          std::any_of(work->places.begin(), work->places.end(), is_other_place);
 }
@@ -230,12 +232,12 @@ bool Batch::finish(std::size_t number, const ChildEnd& end) {
   if (work)
     for (const auto& [file, state] : work->called) finished.called[file] = hashes_.of_now(file);
   if (work)
-    for (const auto& [place, how] : work->places) finished.places[place] = hashes_.of_place(place, how.inside);
+    for (const auto& [place, how] : work->places) finished.places[place] = hashes_.of_place_now(place, how.inside);
   if (!work) {  // where it has looked for what it calls is not known
     for (const std::string& place : arguments_.program.subprograms)
-      finished.places[place] = hashes_.of_place(place, false);
+      finished.places[place] = hashes_.of_place_now(place, false);
     const std::string folder = std::filesystem::path(program).parent_path().string();
-    finished.places[folder] = hashes_.of_place(folder, false);
+    finished.places[folder] = hashes_.of_place_now(folder, false);
   }
   constexpr unsigned most_times = 3;
   if (has_changed(number, work)) {

@@ -50,6 +50,19 @@ std::string state_of(const std::string& file) {
                      s.st_ctim.tv_sec, s.st_ctim.tv_nsec);
 }
 
+std::string state_of_place(const std::string& place, bool with_contents) {
+  std::string out = state_of(place);
+  std::error_code code;
+  if (!with_contents || !fs::is_directory(place.empty() ? "." : place, code)) return out;
+  std::vector<std::string> files;
+  for (fs::directory_iterator i(place.empty() ? "." : place, code), end; !code && i != end; i.increment(code))
+    if (std::error_code ignored; i->is_regular_file(ignored)) files.push_back(i->path().string());
+  std::sort(files.begin(), files.end());
+  std::string all;
+  for (const std::string& file : files) all.append(file).append(1, '\0').append(state_of(file)).push_back('\0');
+  return out + ":" + hash_of(all).text();
+}
+
 const std::string& FileHashes::of(const std::string& file) {
   const auto known = files_.find(file);
   return known != files_.end() ? known->second.hash : of_now(file);
@@ -65,7 +78,14 @@ const std::string& FileHashes::of_now(const std::string& file) {
 const std::string& FileHashes::of_place(const std::string& place, bool with_contents) {
   std::error_code code;
   if (fs::is_regular_file(place, code)) return of(place);
-  std::string state = state_of(place);
+  const auto known = folders_.find(std::pair(place, with_contents));
+  return known != folders_.end() ? known->second.hash : of_place_now(place, with_contents);
+}
+
+const std::string& FileHashes::of_place_now(const std::string& place, bool with_contents) {
+  std::error_code code;
+  if (fs::is_regular_file(place, code)) return of_now(place);
+  std::string state = state_of_place(place, with_contents);
   const auto [at, is_new] = folders_.try_emplace(std::pair(place, with_contents));
   Known& known = at->second;
   if (!is_new && known.state == state) return known.hash;
@@ -77,7 +97,7 @@ const std::string& FileHashes::of_place(const std::string& place, bool with_cont
   for (const std::string& name : names) {
     all.append(name).push_back('\0');
     const fs::path file = fs::path(place) / name;
-    if (with_contents && fs::file_size(file, code) <= largest_searched) all.append(of(file.string()));
+    if (with_contents && fs::file_size(file, code) <= largest_searched) all.append(of_now(file.string()));
   }
   known = {hash_of(all).text(), std::move(state)};
   if (with_contents) known.hash.insert(known.hash.begin(), contents_mark);

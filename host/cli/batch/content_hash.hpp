@@ -19,6 +19,8 @@ ContentHash hash_of(std::string_view bytes);
 
 /// Which file it is, how large, and when it was last changed, without reading it. Empty: it is not there.
 std::string state_of(const std::string& file);
+/// The same of a place where programs are looked for; of a folder with those of its files, where they are read as well.
+std::string state_of_place(const std::string& place, bool with_contents);
 
 /// Hashes of files, each read once.
 class FileHashes {
@@ -28,8 +30,10 @@ class FileHashes {
   /// The same, read again where the file has changed since.
   const std::string& of_now(const std::string& file);
   /// Of a file; of a folder the names in it, to see that one is added or gone, and where asked their contents, too:
-  /// such a hash begins with `contents_mark`. The names are read again where the folder has changed since.
+  /// such a hash begins with `contents_mark`.
   const std::string& of_place(const std::string& place, bool with_contents);
+  /// The same, read again where the folder, or a file whose contents count, has changed since.
+  const std::string& of_place_now(const std::string& place, bool with_contents);
 
  private:
   struct Known {

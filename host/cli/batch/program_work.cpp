@@ -107,8 +107,11 @@ int do_work(const BatchArguments& arguments) {
     options->called = [&](std::string_view, const std::string& file) { called.emplace(file, state_of(file)); };
     options->searched = [&](const std::vector<std::string>& in, bool inside_files) {
       for (const std::string& place : in) {
-        const auto [at, is_new] = places.try_emplace(place, Work::Searched{state_of(place)});
-        if (inside_files) at->second.inside = true;
+        Work::Searched& known = places.try_emplace(place, Work::Searched{state_of(place)}).first->second;
+        if (!inside_files || known.inside) continue;
+        known.inside = true;
+        // One that has changed since its names were read keeps a state that it no longer has.
+        if (known.state == state_of(place)) known.state = state_of_place(place, true);
       }
     };
     request.takes_summary = [&](const std::string& program, const std::string& dialect, const Summary& totals) {
