@@ -378,6 +378,32 @@ class Batch(unittest.TestCase):
         process.communicate(timeout=20 * OPTIONS.seconds)
         self.assertEqual(self.results()["a.nc"]["Status"], "ok")
 
+    def test_a_batch_that_was_stopped_while_it_kept_a_result_takes_no_program_for_late(self):
+        """The first program looks for another one among files that take a while to be hashed."""
+        self.write("a.nc", GOOD.replace("M30", "M98 P7000\nM30"))
+        self.write("b.nc", GOOD.replace("M30", LONG + "M30"))
+        library = self.path / "library"
+        library.mkdir()
+        for number in range(12):
+            with (library / f"{number}.dat").open("wb") as file:
+                file.truncate(1 << 26)
+        most = OPTIONS.seconds * 3 // 2
+        process = self.begun("-j2", "--max-time", str(most), "--subprograms", "library")
+        deadline = time.monotonic() + 2 * OPTIONS.seconds
+        while len(left := children_of(process.pid)) != 1 or not self.is_at_work(left[0], "b.nc"):
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.002)
+        for number, seconds in ((signal.SIGSTOP, most), (signal.SIGCONT, 0)):
+            for pid in (process.pid, int(left[0])):
+                os.kill(pid, number)
+            time.sleep(seconds)
+        process.communicate(timeout=20 * OPTIONS.seconds)
+        self.assertEqual(self.results()["b.nc"]["Status"], "ok")
+
+    @staticmethod
+    def is_at_work(process, program):
+        return program.encode() in pathlib.Path("/proc", process, "cmdline").read_bytes()
+
     def test_results_are_those_of_one_batch_or_of_none(self):
         """The page of results is larger than the file system takes."""
         self.write("a.nc", GOOD)

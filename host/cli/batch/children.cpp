@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <list>
@@ -213,11 +214,13 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
   std::optional<Child> waiting;  // that the system did not start beside the others
   std::vector<std::string> words;
   auto last_look = Clock::now();
-  Clock::duration at_work{0};  // on programs and results, since the last look: the children run meanwhile
+  // Of the processor, on programs and results, since the last look: the children run meanwhile. The clock would count a
+  // stop that comes there as work.
+  Clock::duration at_work{0};
   const auto take_time = [&](const auto& work) {
-    const Clock::time_point begin = Clock::now();
+    const std::clock_t begin = std::clock();
     work();
-    at_work += Clock::now() - begin;
+    at_work += std::chrono::microseconds((std::clock() - begin) * 1'000'000 / CLOCKS_PER_SEC);
   };
   const auto fill = [&] {
     while (NotedSignals::last() == 0 && children.size() < most) {
@@ -245,7 +248,7 @@ bool Children::run(unsigned most, const ChildLimits& limits, const Next& next, c
     if (Clock::now() - last_look >= std::chrono::milliseconds(tick_ms)) {
       const auto stopped = time_stopped(last_look + at_work, std::chrono::milliseconds(tick_ms));
       for (Child& child : children) {
-        child.begin += stopped;
+        child.begin = std::min(child.begin + stopped, Clock::now());  // it may have begun behind the stop
         hold(child, limits);
       }
       orphans->kill_all(children);
