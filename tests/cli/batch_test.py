@@ -853,8 +853,13 @@ esac
                                    ((), ("nowhere",), "IG-0510"), ((), ("archive", "out"), "IG-0510")):
             with self.subTest(more=more):
                 self.assertIn(f"[{code}]", self.batch(*more, places=places, status=2).stderr)
+        (self.path / "wrong.xml").write_text(
+            '<MacroVariables xmlns="urn:isogloss:dialect:1"><Variable name="#500"/></MacroVariables>')
         for named, places, code in ((("-d", "fanuk"), ("archive",), "IG-0101"), (("-d", "fanuc"), ("nowhere",), "IG-0510"),
-                                    (("-d", "fanuc", "--tools", "none.xml"), ("archive",), "IG-0102")):
+                                    (("-d", "fanuc", "--tools", "none.xml"), ("archive",), "IG-0102"),
+                                    (("-d", "fanuc", "--variables", "wrong.xml"), ("archive",), "IG-0219"),
+                                    (("-d", "fanuc", "--set", "Foo.Bar=1"), ("archive",), "IG-0410"),
+                                    (("-d", "fanuc", "--set", "MacroVariables.500.Value=x"), ("archive",), "IG-0411")):
             with self.subTest(named, places=places):
                 done = self.batch("--slurm", "2", "--no-submit", dialect=named, places=places, status=2)
                 self.assertIn(f"[{code}]", done.stderr)

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "crash_guard.hpp"
 #include "dialect_files.hpp"
+#include "isogloss/engine/chain.hpp"
 #include "isogloss/engine/import.hpp"
 #include "outputs.hpp"
 
@@ -89,13 +91,32 @@ void add_files_of_controls(const Dialect& dialect, std::set<std::string>& files)
   }
 }
 
+/// False, and reported: no program can begin so.
+bool can_begin(const LinkedDialect& linked, const ChainSettings& settings, unsigned watchdog, Session& session) {
+  watch_calls(watchdog);
+  DiagnosticList said;  // without an error each program reports it
+  std::string why;
+  try {
+    const Chain chain(linked, settings, said);
+  } catch (const std::runtime_error& error) {
+    why = error.what();
+  }
+  watch_calls(0);
+  if (why.empty()) return true;
+  if (!said.has_errors()) session.report("IG-0513", {}, {why});
+  for (Diagnostic& d : said.all) session.sink().add(std::move(d));
+  return false;
+}
+
 }  // namespace
 
-std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, FileHashes& hashes, Session& session) {
+std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, FileHashes& hashes, Session& session,
+                                            Trial trial) {
   using Completion = RunRequest::Completion;
   ProgramOptions program = arguments.program;
   const auto tables = program.read_tables(session, arguments.untrusted.on ? Completion::none : Completion::by_plugins);
-  if (const auto settings = program.make_settings(session); !tables || !settings) return std::nullopt;
+  std::optional<RunOptions> settings = program.make_settings(session);
+  if (!tables || !settings) return std::nullopt;
   std::set<std::string> files{"/proc/self/exe"};
   std::string order;
   if (!add_files_of_machine(program, session, files)) return std::nullopt;
@@ -119,7 +140,10 @@ std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, Fil
     if (linked == nullptr) return std::nullopt;
     for (std::string& file : files_of_dialect(linked->dialect)) files.insert(std::move(file));
     for (const LoadedPlugin& plugin : session.library().plugins()) files.insert(plugin.file.string());
+    settings->chain.dependencies = *tables;
+    const bool is_sound = trial == Trial::none || can_begin(*linked, settings->chain, program.watchdog, session);
     keep_to_the_end(std::move(linked));
+    if (!is_sound) return std::nullopt;
   }
   Surroundings out;
   std::string all = text_of(arguments, hashes) + order;

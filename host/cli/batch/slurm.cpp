@@ -113,7 +113,7 @@ int run_on_slurm(const BatchArguments& arguments, Session& session) {
   }
   // Where no part could run, nothing waits in a queue for it.
   FileHashes hashes;
-  const bool can_run = surroundings_of(arguments, hashes, session).has_value();
+  const bool can_run = surroundings_of(arguments, hashes, session, Trial::of_chain).has_value();
   if (!can_run || !list_programs(arguments.places, session)) return cannot_start;
   fs::create_directories(folder, code);
   if (code) {
