@@ -21,6 +21,7 @@ import unittest
 OPTIONS = None
 RESULTS = ("results.jsonl", "results.csv", "results.xml", "overview.html")
 TOOLS = ("slurmctld", "slurmd", "sbatch", "squeue", "scontrol")
+MOST_SECONDS = 15  # of a program that takes less
 PATIENCE = 90  # seconds; the controller looks at its jobs now and then
 PATH = f"{os.environ['PATH']}:/usr/sbin:/sbin"
 CONFIGURATION = """ClusterName=test
@@ -254,6 +255,23 @@ class Slurm(unittest.TestCase):
         self.wait_for_end()
         self.assert_same_results()
         self.assertEqual(len(self.journal()), OPTIONS.programs)
+
+    def test_the_time_of_a_suspended_part_counts_for_no_limit(self):
+        for file in (self.path / "archive").rglob("*.nc"):
+            file.unlink()
+        loop = "#1=0\nWHILE[#1LT900000]DO1\n#1=#1+1\n" + "#2=#1*2\n" * 12 + "END1\n"  # a second or more
+        (self.path / "archive/long.nc").write_text("G21 G90\nG0 X1.\n" + 2 * loop + "M30\n")
+        self.assertEqual(self.batch("-o", str(self.path / "out"), "--slurm", "1", "--max-time", str(MOST_SECONDS),
+                                    "--max-jumps", "99999999", "--slurm-options", "--hold").returncode, 0)
+        jobs = self.cluster.ask("squeue", "-h", "-o", "%A").stdout.split()
+        self.assertEqual(self.cluster.ask("scontrol", "release", *jobs).returncode, 0)  # not before somebody watches
+        until(lambda: self.cluster.found("--work", str(self.path)), "a program runs")
+        job = self.cluster.ask("squeue", "-h", "-t", "R", "-o", "%A").stdout.split()[0]
+        self.assertEqual(self.cluster.ask("scontrol", "suspend", job).returncode, 0)
+        time.sleep(MOST_SECONDS + 2)
+        self.assertEqual(self.cluster.ask("scontrol", "resume", job).returncode, 0)
+        self.wait_for_end()
+        self.assertIn('"Status":"ok"', (self.path / "out/results.jsonl").read_text())
 
 
 if __name__ == "__main__":
