@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "command.hpp"
-
 namespace isogloss::cli {
 
 bool AskedReports::is_new(const Diagnostic& d) {
@@ -33,15 +31,6 @@ void AskedReports::add(Diagnostic diagnostic) {
   } else if (is_kept && all.size() < most && is_new(diagnostic)) {
     all.push_back(std::move(diagnostic));
   }
-}
-
-int report_no_begin(const AskedReports& said, const std::string& path, const std::runtime_error& why,
-                    Session& session) {
-  session.progress().hide();
-  for (const std::vector<Diagnostic>* const list : {&said.all, &said.last_errors})
-    for (const Diagnostic& d : *list) session.diagnostics().add(d);
-  if (session.diagnostics().errors() == 0) session.report("IG-0513", {path}, {why.what()});
-  return cannot_start;
 }
 
 void AskedReports::end_at_errors(RunOptions& options, std::uint64_t most) {

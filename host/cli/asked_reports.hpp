@@ -3,13 +3,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <stdexcept>
 #include <unordered_set>
 #include <vector>
 
 #include "isogloss/engine/diagnostic.hpp"
 #include "isogloss/engine/runner.hpp"
-#include "session.hpp"
 
 namespace isogloss::cli {
 
@@ -41,9 +39,6 @@ class AskedReports : public DiagnosticSink {
   std::uint64_t errors_ = 0;
   bool has_ended_run_ = false;
 };
-
-/// The run of `path` could not begin, which is reported with what it had said before that; cannot_start.
-int report_no_begin(const AskedReports& said, const std::string& path, const std::runtime_error& why, Session& session);
 
 /// Hears nothing: of a run that was heard before.
 class Unheard : public DiagnosticSink {

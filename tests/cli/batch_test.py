@@ -370,7 +370,7 @@ class Batch(unittest.TestCase):
         self.assertEqual(marked(), [])
 
     def test_a_batch_that_was_stopped_takes_no_program_for_late(self):
-        self.write("a.nc", GOOD)
+        self.write("a.nc", LONG.replace("600000", "60000") + GOOD)  # it is seen at work, and ends soon
         process = self.begun("--max-time", "1")
         process.send_signal(signal.SIGSTOP)
         time.sleep(1.2)

@@ -241,7 +241,8 @@ class BadDocuments(Command):
 
 class Tables(Command):
     def test_what_a_table_does_not_take_is_reported_by_each_command(self):
-        wrong = self.write("wrong.xml", '<MacroVariables xmlns="urn:isogloss:dialect:1"><Variable name="#500"/></MacroVariables>')
+        wrong = self.write("wrong.xml", '<MacroVariables xmlns="urn:isogloss:dialect:1">\n<Variable number="500" Height="1"/>\n'
+                           '<Variable number="501" Width="1"/></MacroVariables>')
         for command in (("run", "part.nc"), ("run", "part.nc", "--summary"), ("explain", "part.nc:3"),
                         ("explain", "part.nc", "--field", "MotionState.Term"), ("state", "part.nc:3"),
                         ("state", "part.nc:7", "--as-preamble"), ("plot", "part.nc"), ("view", "part.nc"),
@@ -250,7 +251,8 @@ class Tables(Command):
                                 (("--set", "MacroVariables.500.Value=x"), "IG-0411")):
                 with self.subTest(command, given=given):
                     named = () if command[0] == "diff" else ("-d", "fanuc")
-                    self.assertIn(f"[{code}]", self.run_it(*command, *named, *given, status=2).stderr)
+                    said = self.run_it(*command, *named, *given, status=2).stderr
+                    self.assertEqual(said.count(f"[{code}]"), 2 if given[1] == wrong else 1, said)
 
     """A row that no program can reach is refused by name and line."""
 

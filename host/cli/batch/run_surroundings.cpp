@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "chain_trial.hpp"
 #include "crash_guard.hpp"
 #include "dialect_files.hpp"
-#include "isogloss/engine/chain.hpp"
 #include "isogloss/engine/import.hpp"
 #include "outputs.hpp"
 
@@ -91,23 +91,6 @@ void add_files_of_controls(const Dialect& dialect, std::set<std::string>& files)
   }
 }
 
-/// False, and reported: no program can begin so.
-bool can_begin(const LinkedDialect& linked, const ChainSettings& settings, unsigned watchdog, Session& session) {
-  watch_calls(watchdog);
-  DiagnosticList said;  // without an error each program reports it
-  std::string why;
-  try {
-    const Chain chain(linked, settings, said);
-  } catch (const std::runtime_error& error) {
-    why = error.what();
-  }
-  watch_calls(0);
-  if (why.empty()) return true;
-  if (!said.has_errors()) session.report("IG-0513", {}, {why});
-  for (Diagnostic& d : said.all) session.sink().add(std::move(d));
-  return false;
-}
-
 }  // namespace
 
 std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, FileHashes& hashes, Session& session,
@@ -141,7 +124,12 @@ std::optional<Surroundings> surroundings_of(const BatchArguments& arguments, Fil
     for (std::string& file : files_of_dialect(linked->dialect)) files.insert(std::move(file));
     for (const LoadedPlugin& plugin : session.library().plugins()) files.insert(plugin.file.string());
     settings->chain.dependencies = *tables;
-    const bool is_sound = trial == Trial::none || can_begin(*linked, settings->chain, program.watchdog, session);
+    bool is_sound = true;
+    if (trial == Trial::of_chain) {
+      watch_calls(program.watchdog);
+      is_sound = can_begin(*linked, settings->chain, session);
+      watch_calls(0);
+    }
     keep_to_the_end(std::move(linked));
     if (!is_sound) return std::nullopt;
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "asked_reports.hpp"
+#include "chain_trial.hpp"
 #include "crash_guard.hpp"
 #include "dialect_guess.hpp"
 #include "explain/block_json.hpp"
@@ -53,7 +54,7 @@ int ExplainCommand::explain_blocks(Session& session, const std::string& path, co
   try {
     blocks = explain(linked, source, path, target, options, said, &reach);
   } catch (const std::runtime_error& e) {
-    return report_no_begin(said, path, e, session);
+    return report_no_begin(linked, options.chain, path, e, session);
   }
   session.progress().hide();
   report_said(said, reach, !blocks.empty(), session);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "asked_reports.hpp"
+#include "chain_trial.hpp"
 #include "explain/frame_text.hpp"
 #include "isogloss/engine/printable.hpp"
 #include "json_text.hpp"
@@ -120,7 +121,7 @@ int follow_field(const FollowRequest& request, const LinkedDialect& linked, Sour
         linked, source, request.lines.program, fields_to_follow(linked.layout, name),
         [&](const FollowedChange& c) { return printer.add(c); }, options, said);
   } catch (const std::runtime_error& e) {
-    return report_no_begin(said, request.lines.program, e, session);
+    return report_no_begin(linked, options.chain, request.lines.program, e, session);
   }
   session.progress().hide();
   printer.finish();

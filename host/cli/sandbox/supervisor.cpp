@@ -183,6 +183,7 @@ class Watch {
     return std::any_of(relays_.begin(), relays_.end(), [](const auto& relay) { return relay->pipe() >= 0; });
   }
   bool wait_for_reader();
+  void note_signal();
   void end_by(End::How how, std::string why);
   void hold();
   void hear();
@@ -210,13 +211,17 @@ void Watch::end_by(End::How how, std::string why) {
   if (!is_ended_) ::kill(process_, SIGKILL);
 }
 
+/// One that ends the command: the process gets it as well, and a while to end.
+void Watch::note_signal() {
+  if (NotedSignals::last() == 0 || end_.signal != 0) return;
+  end_.signal = NotedSignals::last();
+  signalled_ = Clock::now();
+  if (!is_ended_) ::kill(process_, end_.signal);
+}
+
 void Watch::hold() {
   const Clock::time_point now = Clock::now();
-  if (NotedSignals::last() != 0 && end_.signal == 0) {
-    end_.signal = NotedSignals::last();
-    signalled_ = now;
-    ::kill(process_, end_.signal);
-  }
+  note_signal();
   if (end_.signal != 0 && now - signalled_ > time_to_end) ::kill(process_, SIGKILL);
   if (now - last_look_ < std::chrono::milliseconds(tick_ms)) return;
   begin_ += time_stopped(last_look_, std::chrono::milliseconds(tick_ms));
@@ -233,12 +238,11 @@ void Watch::hold() {
 
 /// A process is held to its limits meanwhile as well.
 bool Watch::wait_for_reader() {
-  if (!has_ended()) hold();
-  if (NotedSignals::last() == 0) return true;
-  if (end_.signal == 0) {
-    end_.signal = NotedSignals::last();
-    signalled_ = Clock::now();
-  }
+  if (has_ended())
+    note_signal();
+  else
+    hold();
+  if (end_.signal == 0) return true;
   if (Clock::now() - signalled_ <= time_to_end) return true;
   end_by(End::How::by_signal, {});
   return false;

@@ -198,10 +198,7 @@ bool is_followed(const fs::path& link) {
   if (fs::is_directory(link, error)) return begin_of(link / "machine.xml").starts_with('<');
   const std::string begin = begin_of(link);
   const bool is_library = link.filename().string().find(".so") != std::string::npos;
-  return is_library ? begin.starts_with(
-                          "\x7f"
-                          "ELF")
-                    : link.extension() == ".xml" && begin.starts_with('<');
+  return is_library ? begin.starts_with("\177ELF") : link.extension() == ".xml" && begin.starts_with('<');
 }
 
 /// Nobody has named the folder `machines` of a folder of dialects: as a link it may lead anywhere.

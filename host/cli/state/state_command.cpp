@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "asked_reports.hpp"
+#include "chain_trial.hpp"
 #include "crash_guard.hpp"
 #include "dialect_guess.hpp"
 #include "explain/frame_text.hpp"
@@ -153,7 +154,7 @@ int StateCommand::show(Session& session, const std::string& path) {
   try {
     point = find_point(*linked, *text, path, target, limited, said, reach, &lines);
   } catch (const std::runtime_error& e) {
-    return report_no_begin(said, path, e, session);
+    return report_no_begin(*linked, options->chain, path, e, session);
   }
   if (!point || said.has_ended_run()) {
     for (Diagnostic& d : said.all) session.diagnostics().add(std::move(d));
