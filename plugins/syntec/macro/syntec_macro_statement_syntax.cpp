@@ -45,6 +45,7 @@ struct SyntecMacroStatement {
   MacroExecution execution_;
   ig::Signal statement_{"Parsing.~MacroText", ig::read | ig::write | ig::wake};
   ig::Signal words_{"Parsing.~MacroWords", ig::read | ig::write};
+  ig::Signal entered_{"ProgramFormat.~Entered", ig::read | ig::write, ig::Life::frame};
   ig::Signal head_{"Parsing.~MacroHead", ig::read | ig::write};
   ig::Out<ig::Symbol> comment_symbol_{"Comment.Symbol"};
   ig::TextField comment_{"Comment.Text", ig::write};
@@ -61,6 +62,10 @@ struct SyntecMacroStatement {
 
   std::size_t scan(ig::Block& b, std::string_view text, std::size_t position) {
     if (!b.is_in_turn() || b.is_raised(statement_)) return position;
+    if (!format_.is_known(b)) {  // only a file that a call enters behind its mark may be of the other format
+      if (b.is_raised(entered_)) return position;
+      b.raise(entered_);
+    }
     const ig::Flow& flow = execution_.environment.flow;
     if (!b.is_raised(head_)) {
       b.raise(head_);

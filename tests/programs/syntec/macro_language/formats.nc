@@ -7,6 +7,7 @@ X2.
 M98 P9230
 (begins behind the mark of its file)
 M98 P9240 H20
-(this file is in ISO format still)
+(this file is in ISO format still; its next call begins nowhere)
+M98 P9240 H99
 X9.
 M30
