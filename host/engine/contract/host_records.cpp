@@ -110,7 +110,19 @@ namespace {
   d.wake_by_list(shape.list);
 }
 
-/// A shape that is new here, or a list without room.
+/// Remembered for the next call; null where the fields do not lie in one list, or are too many to be remembered.
+[[gnu::noinline]] const RecordShape* shape_of(Document& d, const ig_field* fields, std::uint32_t count) {
+  if (count > RecordShape::most_fields) return nullptr;
+  if (const RecordShape& first = d.record_shapes.at(fields); first.is(fields, count)) return &first;
+  RecordShape& known = d.record_shapes.beside(fields, count);
+  if (known.is(fields, count)) return &known;
+  RecordShape found;
+  if (!find_shape(d, fields, count, found)) return nullptr;
+  known = found;
+  return &known;
+}
+
+/// A shape that is not at hand, or a list without room.
 template <Mode M>
 [[gnu::noinline]] std::int32_t append_other(ig_block* block, const ig_field* fields, std::uint32_t count,
                                             const ig_value* v) {
@@ -118,14 +130,16 @@ template <Mode M>
   if constexpr (M == Mode::checked)
     if (!may_use<M>(d, list_of_all(d, fields, count), fields, count, v)) return 0;
   RecordShape shape;
-  if (!find_shape(d, fields, count, shape)) return 0;
+  if (const RecordShape* const known = shape_of(d, fields, count))
+    shape = *known;
+  else if (!find_shape(d, fields, count, shape))
+    return 0;
   ListData& list = d.lists[shape.list];
   if (list.count >= maximum_items) {
     tell_full(d, list);
     return 0;
   }
   if (!list.has_room()) list.make_room();
-  if (count <= RecordShape::most_fields) d.record_shapes.at(fields) = shape;
   append_known(d, shape, fields, count, v);
   return 1;
 }
@@ -232,17 +246,17 @@ std::uint32_t append_many(ig_block* block, const ig_field* fields, std::uint32_t
     return 0;
   }
   if constexpr (M != Mode::checked) {
-    const RecordShape& shape = d.record_shapes.at(fields);
-    if (shape.is(fields, count) && has_room(d.lists[shape.list], records)) [[likely]] {
-      ListData& list = d.lists[shape.list];
+    const RecordShape* shape = &d.record_shapes.at(fields);
+    if (!shape->is(fields, count)) [[unlikely]]
+      shape = shape_of(d, fields, count);
+    if (shape != nullptr && has_room(d.lists[shape->list], records)) [[likely]] {
+      ListData& list = d.lists[shape->list];
       const std::uint32_t added = count == usual_together ? add_records(list, fields, usual_together, records, masks, v)
                                                           : add_records(list, fields, count, records, masks, v);
       if (d.chain != nullptr) d.chain->records += added;
-      if (added != 0) d.wake_by_list(shape.list);
+      if (added != 0) d.wake_by_list(shape->list);
       return added;
     }
-    RecordShape found;
-    if (count <= RecordShape::most_fields && find_shape(d, fields, count, found)) d.record_shapes.at(fields) = found;
   }
   return append_each<M>(block, fields, count, records, masks, v);
 }

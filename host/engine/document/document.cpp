@@ -187,7 +187,10 @@ void Document::set_text(ig_field f, std::string_view text) {
   set(f, v);
 }
 
-void Document::find_group(const ig_field* f, std::uint32_t count, FieldGroup& out) const {
+const FieldGroup& Document::find_group(const ig_field* f, std::uint32_t count) const {
+  FieldGroup& out = groups_.beside(f, count);
+  if (out.is(f, count)) [[likely]]
+    return out;
   out.count = count;
   std::copy_n(f, count, out.fields.begin());
   out.word = f[0] >> 6;
@@ -195,11 +198,12 @@ void Document::find_group(const ig_field* f, std::uint32_t count, FieldGroup& ou
   for (std::uint32_t i = 0; i < count; ++i) {
     if (f[i] >= size_ || f[i] >> 6 != out.word || (out.mask & bit(f[i])) != 0) {
       out.mask = 0;
-      return;
+      return out;
     }
     out.mask |= bit(f[i]);
     out.index[f[i] & 63] = static_cast<std::uint8_t>(i);
   }
+  return out;
 }
 
 inline void Document::sum_up(ig_field f) {

@@ -36,20 +36,48 @@ inline bool are_same(const ig_field* some, const ig_field* others, std::uint32_t
   return is_zero(differences | (four_fields(some + last) ^ four_fields(others + last)));
 }
 
-/// What was found out about the fields of a call, by the place where they stand; other fields may stand there later, or
-/// may share what a place has. A copy of a block begins without.
+/// What was found out about the fields of a call, by the place where they stand; other fields may stand there later.
+/// Each place has a home, which others may share: those are kept in three further ways. A copy of a block begins
+/// without.
 template <class Found>
 class FoundByPlace {
  public:
+  static constexpr std::size_t ways = 4;
+  static constexpr int home_bits = 10;  // so many that few of the places that every block uses share a home
+
   FoundByPlace() = default;
   FoundByPlace(const FoundByPlace&) {}
   FoundByPlace& operator=(const FoundByPlace&) { return *this; }
-  Found& at(const ig_field* fields) {
+
+  /// Places whose homes differ in the lower two bits alone share their ways.
+  static std::size_t home(const ig_field* fields) {
     constexpr std::uint64_t mixes = 0x9e37'79b9'7f4a'7c15;  // all bits of an address into the upper ones
-    std::uint8_t& number = numbers_[reinterpret_cast<std::uintptr_t>(fields) * mixes >> 56];
+    return reinterpret_cast<std::uintptr_t>(fields) * mixes >> (64 - home_bits);
+  }
+  /// What is kept at its home: of these fields or of others. Where it is of others, beside() tells more.
+  Found& at(const ig_field* fields) {
+    std::uint8_t& number = numbers_[home(fields)];
     if (number == none) [[unlikely]]
       number = add();
     return found_[number];
+  }
+  /// For fields that at() does not give: what was found out about them, or what to write it into; the caller tells by
+  /// is(). The newest gets its home for itself: it is the one that is likely to come again.
+  Found& beside(const ig_field* fields, std::uint32_t count) {
+    const std::size_t own = home(fields);
+    std::size_t free = own;
+    for (std::size_t way = 1; way < ways; ++way) {
+      const std::uint8_t number = numbers_[own ^ way];
+      if (number == none)
+        free = own ^ way;
+      else if (found_[number].is(fields, count))
+        return found_[number];
+    }
+    if (free != own && found_[numbers_[own]].is_known()) {
+      numbers_[free] = numbers_[own];
+      numbers_[own] = add();
+    }
+    return found_[numbers_[own]];
   }
 
  private:
@@ -59,9 +87,9 @@ class FoundByPlace {
   }
 
   static constexpr std::uint8_t none = 0xff;
-  static constexpr std::uint32_t most = 64;
-  std::array<std::uint8_t, 256> numbers_ = [] {
-    std::array<std::uint8_t, 256> out;
+  static constexpr std::uint32_t most = 128;
+  std::array<std::uint8_t, std::size_t{1} << home_bits> numbers_ = [] {
+    std::array<std::uint8_t, std::size_t{1} << home_bits> out;
     out.fill(none);
     return out;
   }();
@@ -78,6 +106,7 @@ struct FieldGroup {
   std::array<ig_field, most_fields> fields{};
   std::array<std::uint8_t, 64> index{};  ///< of a field among these, by its bit
 
+  bool is_known() const { return count != 0; }
   bool is(const ig_field* wanted, std::uint32_t wanted_count) const {
     return count == wanted_count && are_same(fields.data(), wanted, wanted_count);
   }
@@ -91,6 +120,7 @@ struct RecordShape {
   std::uint64_t mask = 0;  ///< a bit for each field of the record
   std::array<ig_field, most_fields> fields{};
 
+  bool is_known() const { return count != none; }
   bool is(const ig_field* wanted, std::uint32_t wanted_count) const {
     return count == wanted_count && count <= most_fields && are_same(fields.data(), wanted, wanted_count);
   }

@@ -429,12 +429,12 @@ class alignas(64) Document {
   /// Null where the fields are few or many, or where their bits do not lie in one word.
   const FieldGroup* group_of(const ig_field* f, std::uint32_t count) const {
     if (count < FieldGroup::least_fields || count > FieldGroup::most_fields) return nullptr;
-    FieldGroup& group = groups_.at(f);
-    if (!group.is(f, count)) [[unlikely]]
-      find_group(f, count, group);
-    return group.mask != 0 ? &group : nullptr;
+    const FieldGroup* group = &groups_.at(f);
+    if (!group->is(f, count)) [[unlikely]]
+      group = &find_group(f, count);
+    return group->mask != 0 ? group : nullptr;
   }
-  [[gnu::cold]] void find_group(const ig_field* f, std::uint32_t count, FieldGroup& out) const;
+  const FieldGroup& find_group(const ig_field* f, std::uint32_t count) const;
   /// Of these bits of the group; a bit for each field in the order of the call.
   std::uint32_t get_each(const FieldGroup& group, std::uint64_t these, ig_value* out) const {
     const State* const state = fields_.states.data() + group.word * 64;
