@@ -370,10 +370,11 @@ class Batch(unittest.TestCase):
         self.assertEqual(marked(), [])
 
     def test_a_batch_that_was_stopped_takes_no_program_for_late(self):
-        self.write("a.nc", LONG.replace("600000", "60000") + GOOD)  # it is seen at work, and ends soon
-        process = self.begun("--max-time", "1")
+        self.write("a.nc", LONG.replace("600000", "150000") + GOOD)  # it is seen at work, and ends soon
+        most = max(OPTIONS.seconds // 4, 2)
+        process = self.begun("--max-time", str(most))
         process.send_signal(signal.SIGSTOP)
-        time.sleep(1.2)
+        time.sleep(most + 0.2)
         process.send_signal(signal.SIGCONT)
         process.communicate(timeout=20 * OPTIONS.seconds)
         self.assertEqual(self.results()["a.nc"]["Status"], "ok")

@@ -414,8 +414,8 @@ class Untrusted(unittest.TestCase):
                 self.assertEqual(state_of(self.path), before)
 
     def test_what_was_printed_before_the_end_is_a_beginning_of_the_whole(self):
-        # The plugin wakes at the first X.
-        (self.work / "late.nc").write_text("G90 G54 G21 G17 G94 F100.\n" + "G1 Y1.\nY2.\n" * 10_000 + "X1.\nM30\n")
+        # The plugin wakes at the first X. Up to 16,384 events wait to be written, and are lost with the process.
+        (self.work / "late.nc").write_text("G90 G54 G21 G17 G94 F100.\n" + "G1 Y1.\nY2.\n" * 25_000 + "X1.\nM30\n")
         whole = self.run_it("run", "late.nc", "-d", "iso").stdout
         done = self.hostile("creates", "build", "--untrusted", command=("run", "late.nc"))
         self.assertEqual(done.returncode, 3, done.stderr)
