@@ -71,8 +71,10 @@ std::size_t CallReader::scan(ig::Block& b, std::string_view text, std::size_t po
   environment_.enter(b);
   arguments_.clear();
   if (const ig_machine_code* const row = machine_.find(name)) return of_builder(b, text, end, next, *row);
-  if (name == "CALL" || name == "PCALL" || name == "EXTCALL" || name == "ISOCALL")
-    return indirect(b, text.substr(0, statement_text_end(text, position)), next, name);
+  if (name == "CALL" || name == "PCALL" || name == "EXTCALL" || name == "ISOCALL") {
+    const std::string_view statement = text.substr(0, statement_text_end(text, position));
+    return indirect(b, statement, std::min(next, statement.size()), name);
+  }
   const bool has_bracket = at(text, next) == '(';
   if (has_bracket) {
     const std::size_t close = skip_call(text, next);
