@@ -61,13 +61,18 @@ class Damage {
     constexpr const char* odd[] = {
         "0", "-1", "1e9", "99999999999999999999", "\t", "\"", "%", "[", "]", "(", "<", "{", "\xff", "#", "=", "\n"};
     const std::size_t at = below(text.size() + 1), size = std::min(1 + below(20), text.size() - at);
-    switch (below(7)) {
+    switch (below(8)) {
       case 0: text.erase(at, size); break;
       case 1: text.insert(at, odd[below(std::size(odd))]); break;
       case 2: text.insert(at, text.substr(below(text.size() + 1), size)); break;
       case 3: text.insert(at, other.substr(below(other.size() + 1), 1 + below(60))); break;
       case 4: text.resize(at); break;
-      case 5:
+      case 5: {  // the end of a line is missing
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        text.replace(at, end - at, below(2) == 0 ? "" : " ");
+        break;
+      }
+      case 6:
         if (at < text.size()) text[at] = static_cast<char>(random_());
         break;
       default:
