@@ -7,6 +7,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 longest_page = 150
+at_the_top = {".clang-format", ".clang-tidy", ".editorconfig", ".gitignore", "ARCHITECTURE.md", "CHANGELOG.md",
+              "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md", "LICENSE", "README.md", "SECURITY.md", "dev"}
 
 
 def files(*patterns):
@@ -95,6 +97,14 @@ def size():
         yield f"host/abi/isogloss.h:{count}: the contract stays under 500 lines"
 
 
+def strays():
+    """What a command of a test or a try leaves in the folder in which it runs."""
+    kept = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    for path in kept.split("\0"):
+        if "/" not in path and path and path not in at_the_top:
+            yield f"{path}:1: does not belong at the top of the project"
+
+
 def versions():
     """The project's version is that of the newest dated section of the changelog, below an undated one."""
     project = re.search(r"^project\(isogloss VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.M)[1]
@@ -107,7 +117,7 @@ def versions():
 
 
 def main():
-    found = [breach for rule in (pages, boundaries, borders, machine_paths, size, versions) for breach in rule()]
+    found = [breach for rule in (pages, boundaries, borders, machine_paths, size, strays, versions) for breach in rule()]
     print("\n".join(found), end="\n" if found else "")
     sys.exit(1 if found else 0)
 
